@@ -1,0 +1,1 @@
+//! Affine geometry: points are not vectors.

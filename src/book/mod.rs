@@ -1,0 +1,1 @@
+//! Statements, directives, evidence and the mdBook preprocessor.

@@ -1,0 +1,1 @@
+//! What a law is, and the judge of all laws.

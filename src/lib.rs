@@ -1,0 +1,32 @@
+//! Curves and surfaces for design: a literate exercise workbook, as a library.
+//!
+//! This file is the map of the house. Read the modules in this order; each knows only those above it.
+//!
+//! | module | is |
+//! |---|---|
+//! | [`scalar`] | the number types every algorithm runs over: `f64`, exact rationals, dual and complex numbers |
+//! | [`law`] | what a law is: a theorem as an executable function, and one judge for all of them |
+//! | [`affine`] | points, vectors, affine combinations and maps, intervals, convex hulls |
+//! | [`curves`] | what holds for any parametric curve: curvature, arc length, sampling |
+//! | [`bezier`] | Bézier curves: de Casteljau, Bernstein polynomials, blossoms, subdivision, bounds |
+//! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
+//! | `book` | statements, directives, evidence and the mdBook preprocessor (feature `book`) |
+//! | `workbook` | the server and the command line (feature `workbook`) |
+
+pub mod scalar;
+
+pub mod law;
+
+pub mod affine;
+pub mod curves;
+
+pub mod bezier;
+
+#[cfg(feature = "figures")]
+pub mod figure;
+
+#[cfg(feature = "book")]
+pub mod book;
+
+#[cfg(feature = "workbook")]
+pub mod workbook;

@@ -1,0 +1,1 @@
+//! The number types the algorithms run over.
