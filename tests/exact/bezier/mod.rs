@@ -1,0 +1,4 @@
+//! The laws of the Bézier chapter, in its sections.
+
+mod de_casteljau;
+mod representation;

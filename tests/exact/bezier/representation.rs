@@ -1,0 +1,24 @@
+//! The Bernstein form, proved for every degree up to 12.
+
+use cagd::bezier::{BezierCurve, CasteljauTriangle, laws};
+use cagd::scalar::BigRational;
+
+use crate::inputs::{MAX_DEGREE, for_each, unit_curves_and_parameters};
+use crate::support::mutants::bezier::de_casteljau as mutants;
+use crate::support::{holds, rejects};
+
+type Curve = BezierCurve<BigRational>;
+type Scheme = fn(&Curve, BigRational) -> CasteljauTriangle<BigRational>;
+
+#[test]
+fn intermediate_points() {
+    let law = |implementation: Scheme| {
+        for_each(unit_curves_and_parameters(MAX_DEGREE), |(curve, u)| {
+            laws::intermediate_points(implementation, curve, u.clone())
+        })
+    };
+    holds(law(BezierCurve::triangle));
+    rejects("t and 1 − t swapped", law(mutants::parameter_reversed));
+    rejects("the domain is forgotten", law(mutants::domain_forgotten));
+    rejects("index off by one", law(mutants::index_off_by_one));
+}

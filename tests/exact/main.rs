@@ -1,0 +1,7 @@
+//! Laws over rationals, with equality and no tolerance.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod bezier;
+mod inputs;

@@ -1,0 +1,7 @@
+//! Laws on random input that likes degenerate cases.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod bezier;
+mod generators;

@@ -1,0 +1,3 @@
+//! Wrong Bézier curves, in the sections of the chapter.
+
+pub mod de_casteljau;

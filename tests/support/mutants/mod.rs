@@ -1,0 +1,3 @@
+//! Wrong implementations, each with the misconception it stands for, generic like the right ones.
+
+pub mod bezier;
