@@ -1,15 +1,20 @@
 //! Bézier curves.
 //!
 //! Read in this order: [`curve`] (control points and domain), [`casteljau`] (evaluation and its
-//! triangle), [`bernstein`](mod@bernstein) (the basis), [`derivative`] (hodographs); the theorems are in [`laws`].
+//! triangle), [`bernstein`](mod@bernstein) (the basis), [`derivative`] (hodographs),
+//! [`elevation`] (more control points, the same curve), [`approximation`] (Bernstein approximation); the theorems are in [`laws`].
 
+pub mod approximation;
 pub mod bernstein;
 pub mod casteljau;
 pub mod curve;
 pub mod derivative;
+pub mod elevation;
 
 pub mod laws;
 
+pub use approximation::polygon_at;
 pub use bernstein::{bernstein, binomial};
 pub use casteljau::CasteljauTriangle;
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
+pub use elevation::ReductionError;

@@ -3,9 +3,11 @@
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
 mod de_casteljau;
+mod elevation;
 mod representation;
 
 pub use de_casteljau::*;
+pub use elevation::*;
 pub use representation::*;
 
 use super::BezierCurve;

@@ -1,4 +1,5 @@
 //! The laws of the Bézier chapter, in its sections.
 
 mod de_casteljau;
+mod elevation;
 mod representation;

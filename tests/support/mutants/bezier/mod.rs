@@ -1,3 +1,4 @@
 //! Wrong Bézier curves, in the sections of the chapter.
 
 pub mod de_casteljau;
+pub mod elevation;
