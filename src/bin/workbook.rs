@@ -1,3 +1,7 @@
 //! The entry point of the command line.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    cagd::workbook::command_line::run()
+}

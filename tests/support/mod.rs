@@ -8,7 +8,13 @@
 //! rejects("t and 1 − t swapped", law(|curve, u| curve.at(1.0 - u)));
 //! ```
 
-#[allow(dead_code, reason = "each test binary uses its own part of the mutants")]
+#[cfg(feature = "book")]
+mod listed;
+
+#[allow(
+    dead_code,
+    reason = "each test binary uses its own part of the mutants"
+)]
 pub mod mutants;
 
 /// What a driver found: nothing, or the input on which the law fails.
