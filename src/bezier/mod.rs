@@ -13,6 +13,9 @@ pub mod elevation;
 
 pub mod laws;
 
+#[cfg(feature = "book")]
+pub mod computed;
+
 pub use approximation::polygon_at;
 pub use bernstein::{bernstein, binomial};
 pub use casteljau::CasteljauTriangle;

@@ -8,6 +8,7 @@
 //! | [`evidence`] | what shows that a statement holds, found in the sources |
 //! | [`coverage`] | what is shown for each statement, and what is missing |
 //! | [`error`] | what can be wrong, with file, line and remedy |
+//! | [`tex`] | numbers and points as LaTeX |
 
 pub mod catalogue;
 pub mod coverage;
@@ -17,3 +18,4 @@ pub mod error;
 pub mod evidence;
 pub mod manuscript;
 pub mod page;
+pub mod tex;
