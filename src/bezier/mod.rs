@@ -1,8 +1,16 @@
 //! Bézier curves.
 //!
-//! Read in this order: [`curve`] (control points and domain), [`casteljau`] (evaluation and its
-//! triangle), [`bernstein`](mod@bernstein) (the basis), [`derivative`] (hodographs),
-//! [`elevation`] (more control points, the same curve), [`approximation`] (Bernstein approximation); the theorems are in [`laws`].
+//! Read in this order:
+//!
+//! - [`curve`]: control points and domain,
+//! - [`casteljau`]: evaluation and its triangle,
+//! - [`bernstein`](mod@bernstein): the basis,
+//! - [`evaluation`]: evaluation in linear time,
+//! - [`derivative`]: hodographs,
+//! - [`elevation`]: more control points, the same curve,
+//! - [`approximation`]: Bernstein approximation;
+//!
+//! the theorems are in [`laws`].
 
 pub mod approximation;
 pub mod bernstein;
@@ -10,6 +18,7 @@ pub mod casteljau;
 pub mod curve;
 pub mod derivative;
 pub mod elevation;
+pub mod evaluation;
 
 pub mod laws;
 

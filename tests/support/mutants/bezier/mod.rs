@@ -2,3 +2,4 @@
 
 pub mod de_casteljau;
 pub mod elevation;
+pub mod representation;
