@@ -7,6 +7,8 @@
 //! - [`bernstein`](mod@bernstein): the basis,
 //! - [`evaluation`]: evaluation in linear time,
 //! - [`derivative`]: hodographs,
+//! - [`subdivision`]: pieces of a curve, and corner cutting,
+//! - [`bounds`]: how far a curve is from its chord and its control polygon,
 //! - [`elevation`]: more control points, the same curve,
 //! - [`approximation`]: Bernstein approximation;
 //!
@@ -14,11 +16,13 @@
 
 pub mod approximation;
 pub mod bernstein;
+pub mod bounds;
 pub mod casteljau;
 pub mod curve;
 pub mod derivative;
 pub mod elevation;
 pub mod evaluation;
+pub mod subdivision;
 
 pub mod laws;
 
@@ -30,3 +34,4 @@ pub use bernstein::{bernstein, binomial};
 pub use casteljau::CasteljauTriangle;
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use elevation::ReductionError;
+pub use subdivision::{CornerCutting, SubdividedPolygon};
