@@ -10,6 +10,7 @@
 //! | [`curves`] | what holds for any parametric curve: curvature, arc length, sampling |
 //! | [`bezier`] | Bézier curves: de Casteljau, Bernstein polynomials, blossoms, subdivision, bounds |
 //! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
+//! | `gallery` | every figure of every chapter, by id (feature `figures`) |
 //! | `book` | statements, directives, evidence and the mdBook preprocessor (feature `book`) |
 //! | `workbook` | the server and the command line (feature `workbook`) |
 
@@ -24,6 +25,8 @@ pub mod bezier;
 
 #[cfg(feature = "figures")]
 pub mod figure;
+#[cfg(feature = "figures")]
+pub mod gallery;
 
 #[cfg(feature = "book")]
 pub mod book;

@@ -26,6 +26,9 @@ pub mod subdivision;
 
 pub mod laws;
 
+#[cfg(feature = "figures")]
+pub mod figures;
+
 #[cfg(feature = "book")]
 pub mod computed;
 

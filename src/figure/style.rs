@@ -1,0 +1,461 @@
+//! The visual language of the book: what a line or a point means decides how it looks.
+//!
+//! Colours are those of Okabe and Ito, darkened for paper and lightened for dark themes until lines have a
+//! contrast of at least 3 : 1. Colour is never the only cue: every pair of styles that can meet in one figure
+//! differs in width, dash or marker as well.
+//!
+//! A colour is a CSS variable with a fallback, `var(--fig-curve, #0072b2)`, so that a page's theme decides and a
+//! picture looked at alone is right too. [`PAGE_CSS`] sets the variables for mdBook's themes.
+
+use std::fmt::Write;
+
+/// Style sheet of a page: sets the colours of the figures for each of mdBook's themes.
+///
+/// Include it once a page; the figures carry all their other rules.
+pub const PAGE_CSS: &str = include_str!("figure.css");
+
+/// How a line, a polygon or a region looks: by its role, never by a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Style {
+    /// The curve that the figure is about: heavy, blue, solid.
+    Curve,
+    /// The curve outside its interval, or a part that is only thought of: blue, dashed.
+    Extension,
+    /// A second curve, compared with the first: vermillion, long dashes.
+    SecondCurve,
+    /// A control polygon: thin, grey, solid, with hollow circles at its vertices.
+    ControlPolygon,
+    /// The polygon of the second curve: thin, vermillion, with hollow circles.
+    SecondPolygon,
+    /// A level of a construction (1, 2, 3, …): each has its colour and its marker.
+    Level(usize),
+    /// A member of a family of functions (0, 1, 2, …): each has its colour and its dashes.
+    Series(usize),
+    /// A tangent, a chord, an axis of symmetry: what the statement is about, besides the curve.
+    Tangent,
+    /// A helping line: thin, grey, dashed.
+    Guide,
+    /// An arrow from an entry of a scheme to the next: thin, grey.
+    Connector,
+    /// The outline of a bound, such as a bounding box: grey, short dashes.
+    Bound,
+    /// A filled region without outline: a convex hull, a strip.
+    Region,
+    /// A second filled region.
+    SecondRegion,
+    /// A filled disc or polygon with an outline that itself is what is shown.
+    Disc,
+}
+
+/// How a point looks: by its role.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PointStyle {
+    /// A control point: hollow circle.
+    Control,
+    /// A control point of the second curve.
+    SecondControl,
+    /// A point on the curve: solid, blue.
+    OnCurve,
+    /// What the figure computes: solid, large, vermillion.
+    Result,
+    /// A point of a construction level; its marker is the level's.
+    Level(usize),
+    /// A point that only helps: small, grey.
+    Guide,
+    /// A cross, for positions on an axis or intersection points.
+    Cross,
+}
+
+/// The shapes of markers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Marker {
+    Circle,
+    Square,
+    Diamond,
+    Triangle,
+    Cross,
+}
+
+/// A colour of the palette: its CSS variable, on paper, on dark ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Colour {
+    name: &'static str,
+    light: &'static str,
+    dark: &'static str,
+}
+
+const fn colour(name: &'static str, light: &'static str, dark: &'static str) -> Colour {
+    Colour { name, light, dark }
+}
+
+const PAPER: Colour = colour("paper", "#ffffff", "#14171c");
+const TEXT: Colour = colour("text", "#1c2026", "#e4e7eb");
+const CURVE: Colour = colour("curve", "#0072b2", "#5ab7ef");
+const POLYGON: Colour = colour("polygon", "#66707c", "#98a2b0");
+const ACCENT: Colour = colour("accent", "#d04e00", "#ff8f52");
+const LEVEL_1: Colour = colour("level-1", "#b27700", "#ecb02e");
+const LEVEL_2: Colour = colour("level-2", "#007a5c", "#2fc79b");
+const LEVEL_3: Colour = colour("level-3", "#a2478a", "#e093c3");
+const LEVEL_4: Colour = colour("level-4", "#75482b", "#c9a27c");
+const GUIDE: Colour = colour("guide", "#858e99", "#78828f");
+const REGION: Colour = colour("region", "#56b4e9", "#56b4e9");
+
+/// All colours, for the page's style sheet and its test.
+#[cfg(test)]
+const PALETTE: [Colour; 11] = [
+    PAPER, TEXT, CURVE, POLYGON, ACCENT, LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4, GUIDE, REGION,
+];
+
+/// Everything that can be drawn has one of these looks; plotters knows it by its number.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Look {
+    pub(super) class: String,
+    stroke: Option<Colour>,
+    fill: Option<(Colour, f64)>,
+    width: f64,
+    dash: &'static str,
+    /// How much a label minds lying on it.
+    pub(super) weight: f64,
+    /// Regions lie below guides, these below lines, these below points.
+    pub(super) layer: u8,
+}
+
+const LEVELS: [Colour; 4] = [LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4];
+const SERIES: [(Colour, &str); 6] = [
+    (CURVE, ""),
+    (ACCENT, "9 4"),
+    (LEVEL_2, "2 4"),
+    (LEVEL_3, "9 4 2 4"),
+    (LEVEL_1, "5 3"),
+    (LEVEL_4, "1 3"),
+];
+
+impl Look {
+    fn line(class: impl Into<String>, stroke: Colour, width: f64, dash: &'static str) -> Self {
+        Look {
+            class: class.into(),
+            stroke: Some(stroke),
+            fill: None,
+            width,
+            dash,
+            weight: 1.0,
+            layer: 2,
+        }
+    }
+
+    fn area(class: &str, fill: Colour, opacity: f64) -> Self {
+        Look {
+            class: class.into(),
+            stroke: None,
+            fill: Some((fill, opacity)),
+            width: 0.0,
+            dash: "",
+            weight: 0.2,
+            layer: 0,
+        }
+    }
+
+    fn dot(class: impl Into<String>, stroke: Colour, fill: Colour, width: f64) -> Self {
+        Look {
+            class: class.into(),
+            stroke: Some(stroke),
+            fill: Some((fill, 1.0)),
+            width,
+            dash: "",
+            weight: 1.0,
+            layer: 3,
+        }
+    }
+
+    /// An axis with its ticks.
+    pub(super) fn axis() -> Self {
+        Look {
+            layer: 1,
+            ..Look::line("axis", POLYGON, 1.1, "")
+        }
+    }
+
+    /// The line y = 0 of a function graph, and the grid.
+    pub(super) fn grid() -> Self {
+        Look {
+            weight: 0.1,
+            layer: 1,
+            ..Look::line("grid", GUIDE, 0.6, "1 3")
+        }
+    }
+
+    /// Text.
+    pub(super) fn label() -> Self {
+        Look {
+            class: "label".into(),
+            stroke: None,
+            fill: None,
+            width: 0.0,
+            dash: "",
+            weight: 0.0,
+            layer: 4,
+        }
+    }
+
+    /// The text of ticks and captions.
+    pub(super) fn caption() -> Self {
+        Look {
+            class: "caption".into(),
+            ..Look::label()
+        }
+    }
+
+    /// The head of an arrow.
+    pub(super) fn head(of: &Look) -> Self {
+        Look {
+            class: format!("{}-head", of.class),
+            stroke: None,
+            fill: of.stroke.map(|colour| (colour, 1.0)),
+            width: 0.0,
+            dash: "",
+            ..of.clone()
+        }
+    }
+
+    /// The rules of this look: on paper, and what changes on dark ground.
+    pub(super) fn rules(&self) -> (String, String) {
+        let Look {
+            class,
+            stroke,
+            fill,
+            width,
+            dash,
+            ..
+        } = self;
+        let (mut light, mut dark) = (String::new(), String::new());
+        let mut paint = |property: &str, colour: Option<Colour>| {
+            match colour {
+                None => write!(light, "{property}:none;"),
+                // The first declaration is for viewers that know no variables.
+                Some(Colour {
+                    name,
+                    light: on_paper,
+                    dark: on_dark,
+                }) => write!(
+                    dark,
+                    "{property}:{on_dark};{property}:var(--fig-{name},{on_dark});"
+                )
+                .and(write!(
+                    light,
+                    "{property}:{on_paper};{property}:var(--fig-{name},{on_paper});"
+                )),
+            }
+            .expect("writing to a string")
+        };
+        paint("fill", fill.map(|(colour, _)| colour));
+        if stroke.is_some() {
+            paint("stroke", *stroke);
+        }
+        if let Some((_, opacity)) = fill.filter(|(_, opacity)| *opacity < 1.0) {
+            let _ = write!(light, "fill-opacity:{opacity};");
+        }
+        if *width > 0.0 {
+            let _ = write!(light, "stroke-width:{width};");
+        }
+        if !dash.is_empty() {
+            let _ = write!(light, "stroke-dasharray:{dash};");
+        }
+        let rule = |body: String| match body.trim_end_matches(';') {
+            "" => String::new(),
+            body => format!(".cagd .{class}{{{body}}}"),
+        };
+        (rule(light), rule(dark))
+    }
+}
+
+/// The rules that every figure needs.
+pub(super) fn base_rules() -> String {
+    // Georgia and DejaVu Serif are much wider than the others; the page's mathematics font comes first.
+    const FONTS: &str =
+        "\"Latin Modern Math\",\"STIX Two Text\",\"Times New Roman\",\"Liberation Serif\",serif";
+    let Colour {
+        light: paper,
+        dark: night,
+        ..
+    } = PAPER;
+    let Colour {
+        light: ink,
+        dark: chalk,
+        ..
+    } = TEXT;
+    format!(
+        ".cagd:root{{color:{ink};background:{paper}}}\
+         .cagd{{stroke-linejoin:round;stroke-linecap:round}}\
+         .cagd text{{fill:currentColor;font:{size}px {FONTS};font-family:var(--fig-font,{FONTS});\
+         stroke:{paper};stroke:var(--fig-paper,{paper});stroke-width:3px;paint-order:stroke}}\
+         .cagd .caption{{font-size:{caption}px}}\
+         .cagd .i{{font-style:italic}}\
+         @media(prefers-color-scheme:dark){{.cagd:root{{color:{chalk};background:{night}}}\
+         .cagd text{{stroke:{night};stroke:var(--fig-paper,{night})}}}}",
+        size = super::label::SIZE,
+        caption = super::label::CAPTION_SIZE,
+    )
+}
+
+impl Style {
+    pub(super) fn look(self) -> Look {
+        match self {
+            Style::Curve => Look::line("curve", CURVE, 2.6, ""),
+            Style::Extension => Look::line("extension", CURVE, 1.8, "7 5"),
+            Style::SecondCurve => Look::line("second-curve", ACCENT, 2.2, "11 4"),
+            Style::ControlPolygon => Look::line("polygon", POLYGON, 1.4, ""),
+            Style::SecondPolygon => Look::line("second-polygon", ACCENT, 1.2, ""),
+            Style::Level(level) => {
+                let k = level.max(1) - 1;
+                Look::line(
+                    format!("level-{}", k % LEVELS.len() + 1),
+                    LEVELS[k % LEVELS.len()],
+                    1.5,
+                    "",
+                )
+            }
+            Style::Series(k) => {
+                let k = k % SERIES.len();
+                Look::line(format!("series-{k}"), SERIES[k].0, 2.2, SERIES[k].1)
+            }
+            Style::Tangent => Look::line("tangent", ACCENT, 1.8, ""),
+            Style::Guide => Look {
+                layer: 1,
+                weight: 0.4,
+                ..Look::line("guide", GUIDE, 1.1, "4 4")
+            },
+            Style::Connector => Look {
+                layer: 1,
+                ..Look::line("connector", GUIDE, 1.1, "")
+            },
+            Style::Bound => Look {
+                layer: 1,
+                weight: 0.5,
+                ..Look::line("bound", POLYGON, 1.3, "2 4")
+            },
+            Style::Region => Look::area("region", REGION, 0.2),
+            Style::SecondRegion => Look::area("second-region", ACCENT, 0.16),
+            Style::Disc => Look {
+                fill: Some((ACCENT, 0.25)),
+                layer: 1,
+                ..Look::line("disc", ACCENT, 1.2, "")
+            },
+        }
+    }
+
+    /// The style of the points that a polyline of this style shows at its vertices.
+    pub(super) fn vertices(self) -> Option<PointStyle> {
+        match self {
+            Style::ControlPolygon => Some(PointStyle::Control),
+            Style::SecondPolygon => Some(PointStyle::SecondControl),
+            Style::Level(level) => Some(PointStyle::Level(level)),
+            _ => None,
+        }
+    }
+}
+
+impl PointStyle {
+    pub(super) fn look(self) -> Look {
+        match self {
+            PointStyle::Control => Look::dot("control", POLYGON, PAPER, 1.8),
+            PointStyle::SecondControl => Look::dot("second-control", ACCENT, PAPER, 1.8),
+            PointStyle::OnCurve => Look::dot("on-curve", PAPER, CURVE, 1.0),
+            PointStyle::Result => Look::dot("result", PAPER, ACCENT, 1.4),
+            PointStyle::Level(level) => {
+                let k = (level.max(1) - 1) % LEVELS.len();
+                Look::dot(format!("dot-{}", k + 1), PAPER, LEVELS[k], 0.8)
+            }
+            PointStyle::Guide => Look::dot("dot-guide", PAPER, GUIDE, 0.8),
+            PointStyle::Cross => Look {
+                layer: 3,
+                ..Look::line("cross", ACCENT, 2.0, "")
+            },
+        }
+    }
+
+    pub(super) fn marker(self) -> Marker {
+        match self {
+            PointStyle::Level(level) => [
+                Marker::Circle,
+                Marker::Square,
+                Marker::Diamond,
+                Marker::Triangle,
+            ][(level.max(1) - 1) % 4],
+            PointStyle::Cross => Marker::Cross,
+            _ => Marker::Circle,
+        }
+    }
+
+    /// Half the size of the marker, in units of the picture.
+    pub(super) fn radius(self) -> f64 {
+        match self {
+            PointStyle::Control | PointStyle::SecondControl => 4.4,
+            PointStyle::OnCurve => 4.2,
+            PointStyle::Result => 5.6,
+            PointStyle::Level(_) => 4.0,
+            PointStyle::Guide => 3.0,
+            PointStyle::Cross => 4.5,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn luminance(hex: &str) -> f64 {
+        let channel = |i: usize| {
+            let c = f64::from(u8::from_str_radix(&hex[i..i + 2], 16).expect("a colour")) / 255.0;
+            if c <= 0.03928 {
+                c / 12.92
+            } else {
+                libm::pow((c + 0.055) / 1.055, 2.4)
+            }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn contrast(a: &str, b: &str) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn every_line_stands_out_from_its_ground() {
+        for colour in PALETTE
+            .iter()
+            .filter(|c| !["paper", "region"].contains(&c.name))
+        {
+            for (line, ground) in [(colour.light, PAPER.light), (colour.dark, PAPER.dark)] {
+                // WCAG 2.2, criterion 1.4.11: graphical objects need 3 : 1.
+                let found = contrast(line, ground);
+                assert!(
+                    found >= 3.0,
+                    "--fig-{}: {line} on {ground} is {found:.2} : 1",
+                    colour.name
+                );
+            }
+        }
+        assert!(
+            contrast("#fafafa", PAPER.light) < 3.0,
+            "the measure can refuse"
+        );
+    }
+
+    #[test]
+    fn the_page_defines_every_colour_in_both_themes() {
+        for Colour { name, light, dark } in PALETTE
+            .iter()
+            .filter(|c| !["paper", "text"].contains(&c.name))
+        {
+            assert!(
+                PAGE_CSS.contains(&format!("--fig-{name}: {light};")),
+                "--fig-{name} on paper"
+            );
+            assert!(
+                PAGE_CSS.contains(&format!("--fig-{name}: {dark};")),
+                "--fig-{name} on dark ground"
+            );
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The figures of the chapter on Bézier curves, one module per section.
+
+mod de_casteljau;
