@@ -7,6 +7,7 @@
 //! - [`bernstein`](mod@bernstein): the basis,
 //! - [`evaluation`]: evaluation in linear time,
 //! - [`derivative`]: hodographs,
+//! - [`bounding_box`], [`hull`]: where the curve lies,
 //! - [`subdivision`]: pieces of a curve, and corner cutting,
 //! - [`bounds`]: how far a curve is from its chord and its control polygon,
 //! - [`elevation`]: more control points, the same curve,
@@ -16,12 +17,14 @@
 
 pub mod approximation;
 pub mod bernstein;
+pub mod bounding_box;
 pub mod bounds;
 pub mod casteljau;
 pub mod curve;
 pub mod derivative;
 pub mod elevation;
 pub mod evaluation;
+pub mod hull;
 pub mod subdivision;
 
 pub mod laws;
