@@ -41,3 +41,26 @@ pub use casteljau::CasteljauTriangle;
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use elevation::ReductionError;
 pub use subdivision::{CornerCutting, SubdividedPolygon};
+
+/// The chapter's pages, so that `cargo test` runs each of their Rust blocks.
+#[cfg(doctest)]
+mod chapter {
+    #[doc = include_str!("../../book/src/bezier/de-casteljau.md")]
+    mod de_casteljau {}
+    #[doc = include_str!("../../book/src/bezier/bernstein.md")]
+    mod bernstein {}
+    #[doc = include_str!("../../book/src/bezier/representation.md")]
+    mod representation {}
+    #[doc = include_str!("../../book/src/bezier/derivatives.md")]
+    mod derivatives {}
+    #[doc = include_str!("../../book/src/bezier/shape.md")]
+    mod shape {}
+    #[doc = include_str!("../../book/src/bezier/subdivision.md")]
+    mod subdivision {}
+    #[doc = include_str!("../../book/src/bezier/bounds.md")]
+    mod bounds {}
+    #[doc = include_str!("../../book/src/bezier/blossom.md")]
+    mod blossom {}
+    #[doc = include_str!("../../book/src/bezier/elevation.md")]
+    mod elevation {}
+}

@@ -38,7 +38,7 @@ pub struct Term {
     pub german: String,
     /// What it means, in a sentence; may hold formulas.
     #[serde(default)]
-    pub meaning: String,
+    pub definition: String,
     /// The statement that introduces it.
     #[serde(default)]
     pub statement: Option<String>,

@@ -1,0 +1,64 @@
+//! Figures: drawn by the chapter's code, numbered and captioned here.
+
+use super::Expansion;
+use crate::book::directive::Directive;
+use crate::book::error::Problem;
+use crate::book::site::{escape, link};
+
+impl Expansion<'_> {
+    /// The figure `id` with its caption.
+    pub(super) fn figure(&self, id: &str, directive: &Directive) -> String {
+        let svg = match self.site.registry.figure(id) {
+            Ok(figure) => (figure.draw)().map_err(|reason| Problem::Undrawable {
+                id: id.to_owned(),
+                reason,
+            }),
+            Err(problem) => Err(problem),
+        };
+        let (svg, figure) = match (svg, self.site.registry.figure(id)) {
+            (Ok(svg), Ok(figure)) => (svg, figure),
+            (Err(problem), _) | (_, Err(problem)) => {
+                self.report(directive, problem);
+                return String::new();
+            }
+        };
+        // A blank line would end the block of HTML.
+        let svg: String = svg
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+            .collect::<Vec<_>>()
+            .join("\n");
+        let first = self.site.manuscript.figures.get(id);
+        let here = first.is_some_and(|first| {
+            !self.repeated
+                && first.offset == directive.span.start
+                && self.site.manuscript.pages[first.page].file == self.page.file
+        });
+        let anchor = if here {
+            format!(" id=\"{}\"", figure_anchor(id))
+        } else {
+            String::new()
+        };
+        let number = match first {
+            Some(first) => {
+                let address = format!("{}#{}", self.site.address(first.page), figure_anchor(id));
+                let href = link(self.address, &address);
+                format!(
+                    "<a class=\"number\" href=\"{href}\">Figure\u{a0}{}</a> ",
+                    first.number
+                )
+            }
+            None => String::new(),
+        };
+        let title = escape(figure.title.trim().trim_end_matches('.'));
+        format!(
+            "\n\n<figure class=\"drawing\"{anchor}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>\n</figure>\n\n"
+        )
+    }
+}
+
+/// The anchor of a figure; a statement of the kind *figure* has the id itself.
+pub(crate) fn figure_anchor(id: &str) -> String {
+    format!("figure-{id}")
+}
