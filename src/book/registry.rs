@@ -41,9 +41,11 @@ impl Registry {
         chapter: &str,
         computed: impl IntoIterator<Item = (&'static str, Compute)>,
     ) -> Self {
-        computed.into_iter().fold(self, |registry, (name, compute)| {
-            registry.with_computed(chapter, name, compute)
-        })
+        computed
+            .into_iter()
+            .fold(self, |registry, (name, compute)| {
+                registry.with_computed(chapter, name, compute)
+            })
     }
 
     /// Adds a figure.
@@ -59,6 +61,11 @@ impl Registry {
         self.computed
             .insert((chapter.to_owned(), name.to_owned()), compute);
         self
+    }
+
+    /// Whether a figure with this id is drawn.
+    pub fn draws(&self, id: &str) -> bool {
+        self.figures.contains_key(id)
     }
 
     /// The figure with this id.

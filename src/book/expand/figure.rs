@@ -3,11 +3,22 @@
 use super::Expansion;
 use crate::book::directive::Directive;
 use crate::book::error::Problem;
-use crate::book::site::{escape, link};
+use crate::book::site::{escape, link, title_html};
 
 impl Expansion<'_> {
     /// The figure `id` with its caption.
+    ///
+    /// A figure of a statement that the catalogue lists may be still to be drawn, as a statement may be still to be
+    /// written; the coverage says that it is missing.
     pub(super) fn figure(&self, id: &str, directive: &Directive) -> String {
+        if let Some(statement) = self.site.catalogue.get(id)
+            && !self.site.registry.draws(id)
+        {
+            return format!(
+                "\n\n<p class=\"to-come\">The figure to “{}” is to come.</p>\n\n",
+                title_html(&statement.title)
+            );
+        }
         let svg = match self.site.registry.figure(id) {
             Ok(figure) => (figure.draw)().map_err(|reason| Problem::Undrawable {
                 id: id.to_owned(),
