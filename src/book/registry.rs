@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use super::error::{Problem, most_similar};
+use crate::figure::Figure;
 
 /// A figure as the book needs it.
 pub struct RegisteredFigure {
@@ -31,7 +32,23 @@ pub struct Registry {
 impl Registry {
     /// The figures and computed texts of all chapters.
     pub fn of_all_chapters() -> Self {
-        Self::default().with_all_computed("bezier", crate::bezier::computed::all())
+        use crate::bezier;
+        Self::default()
+            .with_figures(bezier::figures::all())
+            .with_all_computed("bezier", bezier::computed::all())
+    }
+
+    /// Adds the figures of a chapter.
+    #[must_use]
+    fn with_figures(self, figures: Vec<Figure>) -> Self {
+        figures.into_iter().fold(self, |registry, figure| {
+            registry.with_figure(RegisteredFigure {
+                id: figure.id().to_owned(),
+                title: figure.title().to_owned(),
+                description: figure.description().to_owned(),
+                draw: Box::new(move || figure.svg().map_err(|e| e.to_string())),
+            })
+        })
     }
 
     /// Adds the computed texts of a chapter.

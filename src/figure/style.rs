@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// Style sheet of a page: sets the colours of the figures for each of mdBook's themes.
 ///
 /// Include it once a page; the figures carry all their other rules.
-pub const PAGE_CSS: &str = include_str!("figure.css");
+pub const PAGE_CSS: &str = include_str!("../../book/theme/figure.css");
 
 /// How a line, a polygon or a region looks: by its role, never by a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
