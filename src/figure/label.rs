@@ -14,7 +14,7 @@ use std::fmt::Write;
 /// The size of labels, in units of the picture: 11 CSS pixels on a telephone, 20 at the largest.
 pub(super) const SIZE: f64 = 16.0;
 /// The size of captions and of numbers at axes.
-pub(super) const CAPTION_SIZE: f64 = 13.5;
+pub(super) const CAPTION_SIZE: f64 = 14.5;
 
 /// The size of an index, relative to its base.
 const SCRIPT: f64 = 0.72;
@@ -75,9 +75,9 @@ impl Label {
     }
 
     pub(super) fn extent(&self) -> Extent {
-        // What is tall: a capital or an ascender; Times and its kin are below these everywhere.
-        const ASCENT: f64 = 0.72;
-        const DESCENT: f64 = 0.22;
+        // What is tall: a capital or an ascender; what is deep: a descender or a parenthesis.
+        const ASCENT: f64 = 0.73;
+        const DESCENT: f64 = 0.24;
         let mut x: f64 = 0.0;
         let mut extent = Extent {
             width: 0.0,
@@ -161,21 +161,37 @@ pub(super) fn block(text: &str, size: f64) -> [f64; 2] {
     ]
 }
 
-/// How wide a character is, in sizes: the widest of Latin Modern, STIX Two, Times and Liberation Serif, about.
+/// Advance widths of TeX Gyre Pagella, the font of the book, in hundredths of the size, from U+0020 to U+007E.
+///
+/// Times and its kin, which a reader without that font gets, are narrower.
+#[rustfmt::skip]
+const UPRIGHT: [u8; 95] = [
+    25, 28, 37, 50, 50, 84, 78, 21, 46, 46, 39, 76, 25, 33, 25, 49, 50, 50, 50, 50, 50, 50, 50, 50, 50, 50, 25, 25, 77, 76, 77, 44,
+    75, 78, 61, 71, 77, 61, 56, 76, 83, 34, 33, 73, 61, 95, 83, 79, 60, 79, 67, 52, 61, 78, 72, 100, 67, 67, 67, 43, 49, 43, 61, 50,
+    33, 50, 55, 44, 61, 48, 33, 56, 58, 29, 23, 56, 29, 88, 58, 55, 60, 56, 40, 42, 33, 60, 56, 83, 52, 56, 50, 44, 21, 44, 61,
+];
+/// The same for the italic.
+#[rustfmt::skip]
+const ITALIC: [u8; 95] = [
+    25, 33, 50, 50, 50, 89, 78, 23, 46, 46, 39, 76, 25, 33, 25, 49, 50, 50, 50, 50, 50, 50, 50, 50, 50, 50, 25, 25, 77, 76, 77, 50,
+    75, 72, 61, 67, 78, 61, 56, 72, 78, 33, 33, 67, 56, 94, 78, 78, 61, 78, 67, 56, 61, 78, 72, 94, 72, 67, 67, 43, 49, 43, 61, 50,
+    33, 44, 46, 41, 50, 39, 28, 50, 50, 28, 28, 44, 28, 78, 56, 44, 50, 46, 39, 39, 33, 56, 50, 72, 50, 50, 44, 44, 21, 44, 61,
+];
+
+/// How wide a character is, in sizes.
 fn advance(c: char, italic: bool) -> f64 {
+    if let ' '..='~' = c {
+        let table = if italic { &ITALIC } else { &UPRIGHT };
+        return f64::from(table[c as usize - ' ' as usize]) / 100.0;
+    }
+    // These come from whatever font has them.
     match c {
-        '\u{2009}' => 0.18,
         '\u{200b}' => 0.0,
-        'I' if italic => 0.44,
-        'i' | 'j' | 'l' | '’' | '′' | '.' | ',' | ':' | ';' | '|' | '!' | 'I' => 0.31,
-        'f' | 't' | 'r' | 's' | '(' | ')' | '[' | ']' | '{' | '}' | '/' | '-' | ' ' => 0.39,
-        'm' | 'w' | 'M' | 'W' | '…' | '→' | '↦' | '∞' => 0.95,
-        '+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '±' | '×' | '∈' | '∘' => {
-            0.68
-        }
-        '·' => 0.3,
-        'A'..='Z' | 'Α'..='Ω' => 0.74,
-        _ => 0.53,
+        '\u{2009}' => 0.2,
+        '·' | '’' | '′' => 0.3,
+        '→' | '↦' | '∞' | '…' | '\u{2003}' => 1.0,
+        '−' | '≤' | '≥' | '≠' | '≈' | '±' | '×' | '∈' | '∘' | 'Α'..='Ω' => 0.77,
+        _ => 0.58,
     }
 }
 

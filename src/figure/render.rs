@@ -466,10 +466,15 @@ impl Pen {
                         .fold(0.0, f64::max);
                 let [left, top, width, height] = ground.laid.frame.rectangle;
                 if let Ok(label) = Label::read(text, size) {
-                    let bounds = Rect {
+                    let mut bounds = Rect {
                         low: [left, top],
                         high: [left + width, top + height],
                     };
+                    if ground.laid.panel.axes.is_some() {
+                        // The numbers at the axes have their rooms to themselves.
+                        let corner = ground.units(ground.laid.data.low);
+                        (bounds.low[0], bounds.high[1]) = (corner[0] + 2.0, corner[1] - 1.0);
+                    }
                     let request = Request {
                         anchor,
                         clear,

@@ -134,10 +134,12 @@ impl Scheme {
                     );
                     if let Some((down, up)) = &self.weights {
                         let at = [0.5 * (ends.0[0] + ends.1[0]), 0.5 * (ends.0[1] + ends.1[1])];
+                        // Between two arrows that leave one entry there is room for one label, and so there is
+                        // between two that meet: each label stands above its arrow.
                         let (text, side) = if k == i {
                             (down, Side::AboveRight)
                         } else {
-                            (up, Side::BelowRight)
+                            (up, Side::AboveLeft)
                         };
                         canvas.small_label(text, at, side);
                     }

@@ -270,9 +270,8 @@ impl Look {
 
 /// The rules that every figure needs.
 pub(super) fn base_rules() -> String {
-    // Georgia and DejaVu Serif are much wider than the others; the page's mathematics font comes first.
-    const FONTS: &str =
-        "\"Latin Modern Math\",\"STIX Two Text\",\"Times New Roman\",\"Liberation Serif\",serif";
+    // The book's fonts, then what is like them; a font much wider would need other estimates in `label`.
+    const FONTS: &str = "Pagella,\"Pagella Math\",\"TeX Gyre Pagella\",Palatino,\"Palatino Linotype\",\"STIX Two Text\",\"Times New Roman\",serif";
     let Colour {
         light: paper,
         dark: night,

@@ -1,13 +1,18 @@
 //! The figures of this chapter, one module per section.
 
 mod de_casteljau;
+mod shape;
 
 pub use de_casteljau::*;
+pub use shape::*;
 
 use crate::figure::Figure;
 
 /// All figures of this chapter.
 #[must_use]
 pub fn all() -> Vec<Figure> {
-    [de_casteljau::all()].into_iter().flatten().collect()
+    [de_casteljau::all(), shape::all()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -1,3 +1,4 @@
 //! The figures of the chapter on Bézier curves, one module per section.
 
 mod de_casteljau;
+mod shape;
