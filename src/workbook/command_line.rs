@@ -6,30 +6,52 @@
 //! | 1 | what was checked falls short |
 //! | 2 | it could not run |
 
-use std::io::{Write, stdout};
+use std::io::{Write, stdin, stdout};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 use thiserror::Error;
 
-use super::house;
+use super::{house, watch};
+use crate::book;
 use crate::book::catalogue::CHAPTERS;
 use crate::book::coverage::Coverage;
-use crate::book::error::BookErrors;
+use crate::book::error::{BookError, BookErrors, Problem};
 use crate::book::evidence::Gap;
+use crate::book::preprocessor;
 
-/// The CAGD workbook.
+/// The CAGD workbook: without a command it builds the book, serves it and follows your edits.
 #[derive(Debug, Parser)]
 #[command(name = "workbook", bin_name = "cargo run --", version)]
+#[command(args_conflicts_with_subcommands = true)]
 #[command(after_help = "Exit status: 0 fine, 1 what was checked falls short, 2 it could not run.")]
 struct CommandLine {
+    #[command(flatten)]
+    serve: Serve,
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
+}
+
+#[derive(Debug, Args)]
+struct Serve {
+    /// The port on 127.0.0.1; 0 takes any free one
+    #[arg(long, default_value_t = 3000)]
+    port: u16,
+    /// Open the book in the browser
+    #[arg(long)]
+    open: bool,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write the static site
+    Build {
+        /// The folder to write
+        #[arg(long, value_name = "DIR", default_value = "target/book")]
+        out: PathBuf,
+    },
     /// Show the evidence for every statement and what is missing
     Coverage {
         /// Print JSON
@@ -41,6 +63,21 @@ enum Command {
         /// What may be missing
         #[arg(long, value_name = "NEED,…", value_delimiter = ',', value_parser = gap_parser())]
         except: Vec<String>,
+    },
+    /// Speak mdBook's preprocessor protocol; `mdbook` calls this
+    #[command(hide = true)]
+    Preprocessor {
+        #[command(subcommand)]
+        question: Option<Question>,
+    },
+}
+
+#[derive(Debug, Subcommand)]
+enum Question {
+    /// Whether the preprocessor is made for this renderer
+    Supports {
+        /// The name of the renderer
+        renderer: String,
     },
 }
 
@@ -55,6 +92,16 @@ enum Failure {
     House(#[from] house::NoHouse),
     #[error("{0}")]
     Book(#[from] BookErrors),
+    #[error(transparent)]
+    Serve(#[from] watch::ServeError),
+    #[error("{0}")]
+    Preprocessor(String),
+    #[error(
+        "`{}` holds files that are not a built book, and building would remove them\n\
+         next step: name a new or an empty folder with `--out`",
+        .0.display()
+    )]
+    Precious(PathBuf),
     #[error("cannot write the answer: {0}")]
     Output(#[from] std::io::Error),
 }
@@ -89,12 +136,60 @@ pub fn run() -> ExitCode {
 
 fn execute(line: CommandLine) -> Result<Outcome, Failure> {
     match line.command {
-        Command::Coverage {
+        None => {
+            watch::serve(&house::find()?, line.serve.port, line.serve.open)?;
+            Ok(Outcome::Fine)
+        }
+        Some(Command::Build { out }) => {
+            // A folder given on the command line is meant from where the reader stands, the default from the root.
+            let root = house::find()?;
+            let out = if out.as_os_str() == "target/book" {
+                root.join(out)
+            } else {
+                out
+            };
+            build(&root, &out)
+        }
+        Some(Command::Coverage {
             json,
             chapter,
             except,
-        } => coverage(json, &chapter, &except),
+        }) => coverage(json, &chapter, &except),
+        Some(Command::Preprocessor { question }) => preprocessor(question),
     }
+}
+
+/// A book with errors falls short; a folder that cannot be written keeps the command from running.
+fn build(root: &Path, out: &Path) -> Result<Outcome, Failure> {
+    if is_precious(out) {
+        return Err(Failure::Precious(out.to_path_buf()));
+    }
+    match book::build(root, out) {
+        Ok(_) => {
+            writeln!(
+                stdout(),
+                "The book is in {}.",
+                out.join("index.html").display()
+            )?;
+            Ok(Outcome::Fine)
+        }
+        Err(errors) if errors.iter().any(is_about_the_output) => Err(errors.into()),
+        Err(errors) => {
+            eprintln!("{errors}");
+            Ok(Outcome::FallsShort)
+        }
+    }
+}
+
+/// Whether a build would remove something that no build has put there.
+fn is_precious(out: &Path) -> bool {
+    let holds_something = std::fs::read_dir(out).is_ok_and(|mut entries| entries.next().is_some());
+    let is_book = out.join("index.html").is_file() && out.join("toc.html").is_file();
+    holds_something && !is_book
+}
+
+fn is_about_the_output(error: &BookError) -> bool {
+    matches!(error.problem, Problem::Output { .. })
 }
 
 fn coverage(json: bool, chapters: &[String], except: &[String]) -> Result<Outcome, Failure> {
@@ -113,4 +208,19 @@ fn coverage(json: bool, chapters: &[String], except: &[String]) -> Result<Outcom
     } else {
         Outcome::FallsShort
     })
+}
+
+/// mdBook asks first whether the renderer is supported, then hands over the book.
+fn preprocessor(question: Option<Question>) -> Result<Outcome, Failure> {
+    match question {
+        Some(Question::Supports { renderer }) if preprocessor::supports(&renderer) => {
+            Ok(Outcome::Fine)
+        }
+        Some(Question::Supports { .. }) => Ok(Outcome::FallsShort),
+        None => {
+            preprocessor::run_as_command(stdin().lock(), stdout().lock())
+                .map_err(|error| Failure::Preprocessor(format!("{error:#}")))?;
+            Ok(Outcome::Fine)
+        }
+    }
 }

@@ -29,12 +29,15 @@ fn sources() -> Vec<(Vec<String>, std::path::PathBuf)> {
 
 /// The top-level modules that a module may import, besides its own.
 fn may_import(module: &[String]) -> Vec<&'static str> {
-    let figures = module.get(1).is_some_and(|part| part == "figures");
+    let part = module.get(1).map(String::as_str);
     let mathematics = |chapters: &[&'static str]| {
         let mut allowed = vec!["scalar", "law"];
         allowed.extend_from_slice(chapters);
-        if figures {
-            allowed.push("figure");
+        match part {
+            Some("figures") => allowed.push("figure"),
+            // Texts for the pages are written with the book's own notation for numbers and points.
+            Some("computed") => allowed.push("book"),
+            _ => {}
         }
         allowed
     };
@@ -213,6 +216,19 @@ fn the_map_lists_the_chapters_in_reading_order() {
         .map(str::to_owned)
         .collect();
     assert_eq!(declared, in_reading_order(&declared));
+}
+
+#[test]
+fn the_summary_lists_the_chapters_in_reading_order() {
+    let mut listed: Vec<String> = Vec::new();
+    for link in read("book/src/SUMMARY.md").split("](").skip(1) {
+        let folder = link.split('/').next().unwrap_or_default().to_owned();
+        if CHAPTERS.contains(&folder.as_str()) && listed.last() != Some(&folder) {
+            listed.push(folder);
+        }
+    }
+    assert!(!listed.is_empty(), "the summary links no chapter");
+    assert_eq!(listed, in_reading_order(&listed));
 }
 
 /// The given chapters, each once, in the order that is fixed for all trees.

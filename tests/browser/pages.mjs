@@ -1,0 +1,152 @@
+// Every page in a real browser: nothing comes from outside, no script fails, nothing sticks out of a narrow screen,
+// and the dark theme is dark. From the server as well as from the disk.
+//
+//     node pages.mjs CHROMIUM WORKBOOK SITE
+
+import { spawn } from "node:child_process";
+import { readdirSync } from "node:fs";
+import { join, relative, resolve, sep } from "node:path";
+import { createInterface } from "node:readline";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [browserPath, workbook, site] = process.argv.slice(2);
+const NARROW = { width: 360, height: 740 };
+const WIDE = { width: 1400, height: 900 };
+
+const failures = [];
+const fail = message => {
+    failures.push(message);
+    console.log(`FAILED  ${message}`);
+};
+
+/** All pages below the site's folder but the copies of the sources, of which a few stand for all. */
+function pagesOf(folder) {
+    const all = readdirSync(folder, { recursive: true, withFileTypes: true })
+        .filter(entry => entry.isFile() && entry.name.endsWith(".html"))
+        .map(entry => relative(folder, join(entry.parentPath ?? entry.path, entry.name)))
+        .map(path => path.split(sep).join("/"))
+        // Not meant to be opened by themselves: the frame of the contents, and the page of all chapters for printing.
+        .filter(path => path !== "toc.html" && path !== "print.html")
+        .sort();
+    const isSource = path => path.startsWith("source/");
+    return [...all.filter(path => !isSource(path)), ...all.filter(isSource).slice(0, 3)];
+}
+
+/** The server on a free port; resolves to its address. */
+async function serve() {
+    const server = spawn(workbook, ["--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+    for await (const line of createInterface({ input: server.stdout })) {
+        const address = line.match(/http:\/\/127\.0\.0\.1:\d+/);
+        if (address) {
+            return { server, address: address[0] };
+        }
+    }
+    throw new Error("the server ended without telling its address");
+}
+
+/** Looks at one page and reports what is wrong with it. */
+async function visit(page, url, allowed, label) {
+    const wrong = [];
+    const onConsole = message => {
+        if (["error", "warning"].includes(message.type())) {
+            wrong.push(`console: ${message.text()}`);
+        }
+    };
+    const onError = error => wrong.push(`script: ${error.message}`);
+    const onRequest = request => {
+        const target = request.url();
+        if (!target.startsWith(allowed) && !target.startsWith("data:") && !target.startsWith("blob:")) {
+            wrong.push(`asks for ${target}`);
+        }
+    };
+    const onFailed = request => {
+        // A page that is left takes its open question for news with it.
+        if (!request.url().includes("/__workbook/state")) {
+            wrong.push(`cannot load ${request.url()}: ${request.failure()?.errorText}`);
+        }
+    };
+    page.on("console", onConsole).on("pageerror", onError).on("request", onRequest).on("requestfailed", onFailed);
+    await page.goto(url, { waitUntil: "load" });
+    await page.evaluate(() => document.fonts.ready);
+    const overflow = await page.evaluate(() => {
+        const root = document.scrollingElement;
+        const excess = root.scrollWidth - root.clientWidth;
+        if (excess <= 0) {
+            return null;
+        }
+        // What sticks out itself, not what contains it; what scrolls within its own box does no harm.
+        const scrolls = element => {
+            for (let box = element.parentElement; box && box !== root; box = box.parentElement) {
+                if (getComputedStyle(box).overflowX !== "visible") return true;
+            }
+            return false;
+        };
+        const culprit = [...document.body.querySelectorAll("*")].find(element =>
+            element.getBoundingClientRect().right > root.clientWidth + 1 && !scrolls(element));
+        return `${excess} px too wide: ${culprit?.outerHTML.slice(0, 120) ?? "?"}`;
+    });
+    if (overflow) {
+        wrong.push(overflow);
+    }
+    page.off("console", onConsole).off("pageerror", onError).off("request", onRequest).off("requestfailed", onFailed);
+    wrong.forEach(message => fail(`${label}: ${message}`));
+}
+
+/** The brightness of the page's background, 0 black to 255 white. */
+const brightness = page => page.evaluate(() => {
+    const colour = element => getComputedStyle(element).backgroundColor;
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("2d");
+    context.fillStyle = "white";
+    context.fillRect(0, 0, 1, 1);
+    for (const element of [document.documentElement, document.body]) {
+        context.fillStyle = colour(element);
+        context.fillRect(0, 0, 1, 1);
+    }
+    const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+    return (red + green + blue) / 3;
+});
+
+const { server, address } = await serve();
+const browser = await chromium.launch({
+    executablePath: browserPath,
+    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+        "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+});
+try {
+    const folder = resolve(site);
+    const pages = pagesOf(folder);
+    if (pages.length < 2) {
+        fail(`${site} holds no pages`);
+    }
+    for (const colorScheme of ["light", "dark"]) {
+        for (const viewport of [NARROW, WIDE]) {
+            const context = await browser.newContext({ viewport, colorScheme });
+            const page = await context.newPage();
+            for (const path of pages) {
+                await visit(page, `${address}/${path}`, address, `${path}, ${viewport.width} px, ${colorScheme}`);
+            }
+            const light = await brightness(page);
+            if ((colorScheme === "dark") !== (light < 128)) {
+                fail(`the ${colorScheme} theme has a background of brightness ${light.toFixed(0)}`);
+            }
+            await context.close();
+        }
+    }
+    const context = await browser.newContext({ viewport: WIDE });
+    const page = await context.newPage();
+    const disk = pathToFileURL(folder).href;
+    // A server shows 404.html under every address, so its links begin at the server's root, which a disk has not.
+    for (const path of pages.filter(path => path !== "404.html")) {
+        await visit(page, `${disk}/${path}`, disk, `${path} from disk`);
+    }
+    console.log(`${pages.length} pages, from the server at two widths in two themes and from disk`);
+} finally {
+    await browser.close();
+    server.kill("SIGINT");
+}
+if (failures.length > 0) {
+    console.log(`${failures.length} failures`);
+    process.exit(1);
+}
