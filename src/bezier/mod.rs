@@ -10,6 +10,7 @@
 //! - [`bounding_box`], [`hull`]: where the curve lies,
 //! - [`subdivision`]: pieces of a curve, and corner cutting,
 //! - [`bounds`]: how far a curve is from its chord and its control polygon,
+//! - [`flattening`]: polylines with a guaranteed distance,
 //! - [`elevation`]: more control points, the same curve,
 //! - [`approximation`]: Bernstein approximation;
 //!
@@ -24,6 +25,7 @@ pub mod curve;
 pub mod derivative;
 pub mod elevation;
 pub mod evaluation;
+pub mod flattening;
 pub mod hull;
 pub mod subdivision;
 
@@ -40,6 +42,7 @@ pub use bernstein::{bernstein, binomial};
 pub use casteljau::CasteljauTriangle;
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use elevation::ReductionError;
+pub use flattening::{FlatteningError, Polyline};
 pub use subdivision::{CornerCutting, SubdividedPolygon};
 
 /// The chapter's pages, so that `cargo test` runs each of their Rust blocks.

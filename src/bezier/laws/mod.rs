@@ -2,13 +2,17 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod bounds;
 mod de_casteljau;
 mod elevation;
 mod representation;
+mod subdivision;
 
+pub use bounds::*;
 pub use de_casteljau::*;
 pub use elevation::*;
 pub use representation::*;
+pub use subdivision::*;
 
 use super::BezierCurve;
 use crate::affine::Affine;

@@ -1,5 +1,7 @@
 //! Wrong Bézier curves, in the sections of the chapter.
 
+pub mod bounds;
 pub mod de_casteljau;
 pub mod elevation;
 pub mod representation;
+pub mod subdivision;
