@@ -6,7 +6,11 @@
 //! - [`casteljau`]: evaluation and its triangle,
 //! - [`bernstein`](mod@bernstein): the basis,
 //! - [`evaluation`]: evaluation in linear time,
-//! - [`derivative`]: hodographs,
+//! - [`derivative`], [`bernstein_derivative`](mod@bernstein_derivative): hodographs, and derivatives of the basis,
+//! - [`integral`]: means, integrals and antiderivatives,
+//! - [`quadratic`]: parabolas and their degenerate cases,
+//! - [`parametric`]: curvature and what else any parametric curve has,
+//! - [`arc_length`], [`nearest`], [`product`]: lengths and nearest points with guaranteed errors,
 //! - [`bounding_box`], [`hull`]: where the curve lies,
 //! - [`subdivision`]: pieces of a curve, and corner cutting,
 //! - [`bounds`]: how far a curve is from its chord and its control polygon,
@@ -17,7 +21,9 @@
 //! the theorems are in [`laws`].
 
 pub mod approximation;
+pub mod arc_length;
 pub mod bernstein;
+pub mod bernstein_derivative;
 pub mod bounding_box;
 pub mod bounds;
 pub mod casteljau;
@@ -27,6 +33,11 @@ pub mod elevation;
 pub mod evaluation;
 pub mod flattening;
 pub mod hull;
+pub mod integral;
+pub mod nearest;
+pub mod parametric;
+pub mod product;
+pub mod quadratic;
 pub mod subdivision;
 
 pub mod laws;
@@ -39,10 +50,15 @@ pub mod computed;
 
 pub use approximation::polygon_at;
 pub use bernstein::{bernstein, binomial};
+pub use bernstein_derivative::{bernstein_derivative, bernstein_higher_derivative};
 pub use casteljau::CasteljauTriangle;
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
+pub use derivative::forward_differences;
 pub use elevation::ReductionError;
 pub use flattening::{FlatteningError, Polyline};
+pub use nearest::{Foot, Nearest, NearestError};
+pub use product::{bernstein_inner_product, bernstein_product};
+pub use quadratic::{ParabolaMap, QuadraticError, QuadraticTrace};
 pub use subdivision::{CornerCutting, SubdividedPolygon};
 
 /// The chapter's pages, so that `cargo test` runs each of their Rust blocks.

@@ -4,12 +4,14 @@
 
 mod bounds;
 mod de_casteljau;
+mod derivatives;
 mod elevation;
 mod representation;
 mod subdivision;
 
 pub use bounds::*;
 pub use de_casteljau::*;
+pub use derivatives::*;
 pub use elevation::*;
 pub use representation::*;
 pub use subdivision::*;

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod de_casteljau;
+mod derivatives;
 mod elevation;
 mod representation;
 mod subdivision;

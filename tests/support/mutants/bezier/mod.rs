@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod de_casteljau;
+pub mod derivatives;
 pub mod elevation;
 pub mod representation;
 pub mod subdivision;
