@@ -170,8 +170,16 @@ async fn dress(Shared(site): Shared<Site>, request: Request<Body>, next: Next) -
     let Ok(bytes) = to_bytes(body, usize::MAX).await else {
         return StatusCode::INTERNAL_SERVER_ERROR.into_response();
     };
-    head.headers.remove(header::CONTENT_LENGTH);
-    head.headers.remove(header::ACCEPT_RANGES);
+    // These describe the file, not the page with the script. A browser that kept an older script by them would find
+    // another version at each question and reload without end.
+    for name in [
+        header::CONTENT_LENGTH,
+        header::ACCEPT_RANGES,
+        header::ETAG,
+        header::LAST_MODIFIED,
+    ] {
+        head.headers.remove(name);
+    }
     let page = String::from_utf8_lossy(&bytes);
     Response::from_parts(head, Body::from(with_script(&page, &state.version)))
 }

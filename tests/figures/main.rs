@@ -13,4 +13,7 @@
 
 mod bezier;
 mod every_figure;
+#[cfg(feature = "book")]
+#[path = "../support/listed.rs"]
+mod listed;
 mod support;

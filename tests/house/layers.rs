@@ -46,7 +46,8 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
         Some("law") => vec!["scalar"],
         // Every chapter draws with it, so it must not look into a chapter that comes after points and vectors.
         Some("figure") => vec!["scalar", "law", "affine"],
-        Some("book") => [&["scalar", "law", "figure"], CHAPTERS.as_slice()].concat(),
+        Some("gallery") => [&["figure"], CHAPTERS.as_slice()].concat(),
+        Some("book") => [&["scalar", "law", "figure", "gallery"], CHAPTERS.as_slice()].concat(),
         // Möbius geometry begins anew at affine geometry.
         Some("moebius") => mathematics(&["affine"]),
         Some(chapter) if CHAPTERS.contains(&chapter) => {
@@ -54,7 +55,7 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
             mathematics(&before.copied().collect::<Vec<_>>())
         }
         _ => [
-            &["scalar", "law", "figure", "book", "workbook"],
+            &["scalar", "law", "figure", "gallery", "book", "workbook"],
             CHAPTERS.as_slice(),
         ]
         .concat(),
