@@ -28,6 +28,25 @@ impl<P: Affine> BezierCurve<P> {
     /// # Ok::<(), cagd::bezier::BezierError>(())
     /// ```
     ///
+    /// Over dual numbers u + ε the same program gives the point and, beside it, the derivative;
+    /// over complex numbers it gives the points of the complex curve.
+    ///
+    /// ```
+    /// use cagd::affine::Point;
+    /// use cagd::bezier::BezierCurve;
+    /// use cagd::scalar::{Complex64, Dual64};
+    ///
+    /// let points = [[0.0, 0.0], [0.0, 4.0], [4.0, 4.0], [4.0, 0.0]].map(Point::new);
+    /// let dual = BezierCurve::new(points.map(|point| point.map(Dual64::from_re)))?;
+    /// let point = dual.at(Dual64::new(0.5, 1.0));
+    /// assert_eq!(point.map(|x| x.re), Point::new([2.0, 3.0]), "b(1/2)");
+    /// assert_eq!([point[0].eps, point[1].eps], [6.0, 0.0], "b′(1/2)");
+    ///
+    /// let square = BezierCurve::new([0.0, 0.0, 1.0].map(Complex64::from))?;
+    /// assert_eq!(square.at(Complex64::I), Complex64::from(-1.0), "i² = −1");
+    /// # Ok::<(), cagd::bezier::BezierError>(())
+    /// ```
+    ///
     /// Source: `farin2002`, §4.2.
     #[must_use]
     pub fn at(&self, u: P::Scalar) -> P {

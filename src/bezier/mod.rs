@@ -4,6 +4,7 @@
 //!
 //! - [`curve`]: control points and domain,
 //! - [`casteljau`]: evaluation and its triangle,
+//! - [`cost`]: what de Casteljau's algorithm costs,
 //! - [`bernstein`](mod@bernstein): the basis,
 //! - [`evaluation`]: evaluation in linear time,
 //! - [`derivative`], [`bernstein_derivative`](mod@bernstein_derivative): hodographs, and derivatives of the basis,
@@ -15,6 +16,7 @@
 //! - [`subdivision`]: pieces of a curve, and corner cutting,
 //! - [`bounds`]: how far a curve is from its chord and its control polygon,
 //! - [`flattening`]: polylines with a guaranteed distance,
+//! - [`blossom`], [`symmetric`]: the polar form of curves and of powers,
 //! - [`elevation`]: more control points, the same curve,
 //! - [`approximation`]: Bernstein approximation;
 //!
@@ -24,9 +26,11 @@ pub mod approximation;
 pub mod arc_length;
 pub mod bernstein;
 pub mod bernstein_derivative;
+pub mod blossom;
 pub mod bounding_box;
 pub mod bounds;
 pub mod casteljau;
+pub mod cost;
 pub mod curve;
 pub mod derivative;
 pub mod elevation;
@@ -39,6 +43,7 @@ pub mod parametric;
 pub mod product;
 pub mod quadratic;
 pub mod subdivision;
+pub mod symmetric;
 
 pub mod laws;
 
@@ -51,7 +56,9 @@ pub mod computed;
 pub use approximation::polygon_at;
 pub use bernstein::{bernstein, binomial};
 pub use bernstein_derivative::{bernstein_derivative, bernstein_higher_derivative};
+pub use blossom::{Blossom, BlossomEntry, BlossomError, BlossomTriangle};
 pub use casteljau::CasteljauTriangle;
+pub use cost::{Cost, Counted, recursive_at};
 pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use derivative::forward_differences;
 pub use elevation::ReductionError;
@@ -60,6 +67,7 @@ pub use nearest::{Foot, Nearest, NearestError};
 pub use product::{bernstein_inner_product, bernstein_product};
 pub use quadratic::{ParabolaMap, QuadraticError, QuadraticTrace};
 pub use subdivision::{CornerCutting, SubdividedPolygon};
+pub use symmetric::{elementary_symmetric, power_blossom};
 
 /// The chapter's pages, so that `cargo test` runs each of their Rust blocks.
 #[cfg(doctest)]

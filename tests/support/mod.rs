@@ -17,6 +17,8 @@ mod listed;
 )]
 pub mod mutants;
 
+pub mod jets;
+
 /// What a driver found: nothing, or the input on which the law fails.
 pub type Outcome = Result<(), String>;
 

@@ -2,6 +2,7 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod blossom;
 mod bounds;
 mod de_casteljau;
 mod derivatives;
@@ -9,6 +10,7 @@ mod elevation;
 mod representation;
 mod subdivision;
 
+pub use blossom::*;
 pub use bounds::*;
 pub use de_casteljau::*;
 pub use derivatives::*;

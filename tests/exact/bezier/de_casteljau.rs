@@ -1,5 +1,6 @@
 //! The algorithm of de Casteljau, proved for every degree up to 12.
 
+use cagd::affine::Point;
 use cagd::bezier::{BezierCurve, CasteljauTriangle, laws};
 use cagd::scalar::BigRational;
 
@@ -20,5 +21,20 @@ fn de_casteljau() {
     holds(law(BezierCurve::triangle));
     rejects("t and 1 − t swapped", law(mutants::parameter_reversed));
     rejects("the domain is forgotten", law(mutants::domain_forgotten));
+    rejects("index off by one", law(mutants::index_off_by_one));
+}
+
+#[test]
+fn de_casteljau_examples() {
+    type PlaneScheme = fn(
+        &BezierCurve<Point<BigRational, 2>>,
+        BigRational,
+    ) -> CasteljauTriangle<Point<BigRational, 2>>;
+    let law = |implementation: PlaneScheme| {
+        for_each([()], |()| laws::de_casteljau_examples(implementation))
+    };
+    holds(law(BezierCurve::triangle));
+    rejects("t and 1 − t swapped", law(mutants::parameter_reversed));
+    rejects("always the middle", law(mutants::always_midpoints));
     rejects("index off by one", law(mutants::index_off_by_one));
 }

@@ -1,5 +1,6 @@
 //! Wrong Bézier curves, in the sections of the chapter.
 
+pub mod blossom;
 pub mod bounds;
 pub mod de_casteljau;
 pub mod derivatives;
