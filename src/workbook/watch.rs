@@ -155,11 +155,28 @@ impl Workshop {
             1 => println!("{} changed.", first.display()),
             count => println!("{} and {} more changed.", first.display(), count - 1),
         }
-        if changed.iter().any(|path| is_of_the_program(path)) && !self.replace_program() {
+        let compiled_in = self.compiled_in();
+        let needs_program =
+            |path: &PathBuf| is_of_the_program(path) || compiled_in.contains(&self.root.join(path));
+        if changed.iter().any(needs_program) && !self.replace_program() {
             self.tell();
             return;
         }
         self.build_book();
+    }
+
+    /// The files that the compiler read, by Cargo's list beside the program; among them is a style sheet of the book.
+    fn compiled_in(&self) -> Vec<PathBuf> {
+        let list = self
+            .program
+            .as_ref()
+            .map(|program| program.with_extension("d"));
+        let list = list.and_then(|list| std::fs::read_to_string(list).ok());
+        // As in a makefile: `program: file file …`, with blanks inside a name escaped.
+        let list = list.unwrap_or_default().replace("\\ ", "\0");
+        list.split_whitespace()
+            .map(|name| PathBuf::from(name.replace('\0', " ")))
+            .collect()
     }
 
     /// Builds the book; if that fails, the last good one stays.
@@ -207,7 +224,7 @@ impl Workshop {
     ///
     /// Returns whether this process may go on to build the book: not if the new program does not compile.
     fn replace_program(&mut self) -> bool {
-        println!("The Rust sources changed: the program is built anew …");
+        println!("The sources of the program changed: it is built anew …");
         let Some(program) = self.program.clone() else {
             eprintln!("Where this program lies is not known; stop it and run `cargo run` again.");
             return true;
@@ -251,7 +268,7 @@ fn is_manifest(path: &Path) -> bool {
     path == Path::new("Cargo.toml") || path == Path::new("Cargo.lock")
 }
 
-/// Whether the program is made from this file.
+/// Whether the program is made from this file, or may be: a new source is in no list of Cargo's yet.
 fn is_of_the_program(path: &Path) -> bool {
     path.starts_with("src") || is_manifest(path)
 }
