@@ -7,6 +7,7 @@
 //! - [`cost`]: what de Casteljau's algorithm costs,
 //! - [`bernstein`](mod@bernstein): the basis,
 //! - [`evaluation`]: evaluation in linear time,
+//! - [`batch`]: many points at once,
 //! - [`derivative`], [`bernstein_derivative`](mod@bernstein_derivative): hodographs, and derivatives of the basis,
 //! - [`integral`]: means, integrals and antiderivatives,
 //! - [`quadratic`]: parabolas and their degenerate cases,
@@ -24,6 +25,7 @@
 
 pub mod approximation;
 pub mod arc_length;
+pub mod batch;
 pub mod bernstein;
 pub mod bernstein_derivative;
 pub mod blossom;

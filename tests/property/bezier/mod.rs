@@ -1,5 +1,6 @@
 //! The laws of the Bézier chapter, in its sections.
 
+mod batch;
 mod blossom;
 mod bounds;
 mod de_casteljau;
