@@ -54,7 +54,7 @@ impl Expansion<'_> {
                     place => format!(", {}", escape_inline(place)),
                 };
                 format!(
-                    "<a class=\"cite\" href=\"{href}\">&#91;{}{locator}&#93;</a>",
+                    "<a class=\"cite\" href=\"{href}\">{}{locator}</a>",
                     escape_inline(&work.short)
                 )
             }

@@ -1,7 +1,7 @@
 //! The index of all statements, to be searched by words, chapter and kind.
 
 use super::{Generated, table};
-use crate::book::catalogue::{CHAPTERS, Kind};
+use crate::book::catalogue::{CHAPTERS, Kind, Statement};
 use crate::book::site::{Site, escape, title_html};
 
 /// The index: one row for each statement of the catalogue, those to come included.
@@ -10,14 +10,19 @@ pub(super) fn page(site: &Site<'_>) -> Generated {
     let written = site.manuscript.statements.len();
     let mut content = format!(
         "# Index of statements\n\n\
-         All {total} statements of the workbook, in the order of the lecture notes; {written} of them are written.\n\n"
+         All {total} statements of the workbook; {written} of them are written.\n\
+         Chapters that have begun come first, then those to come in the order of the lecture notes.\n\n"
     );
     content.push_str(&filter());
     let mut rows = Vec::new();
     let mut html = String::new();
-    for chapter in CHAPTERS {
+    let (begun, to_come): (Vec<&str>, Vec<&str>) = CHAPTERS
+        .into_iter()
+        .partition(|chapter| in_order(site, chapter).iter().any(|s| is_written(site, s)));
+    for chapter in begun.into_iter().chain(to_come) {
         rows.clear();
-        for statement in site.catalogue.chapter(chapter) {
+        let statements = in_order(site, chapter);
+        for statement in &statements {
             let name = match site.manuscript.statements.get(&statement.id) {
                 Some(written) => format!(
                     "<a href=\"{}#{}\">{}</a>",
@@ -41,7 +46,7 @@ pub(super) fn page(site: &Site<'_>) -> Generated {
         }
         let mut part = table("statements", &["Statement", "Title", "In the notes"], &rows);
         // Each row says what it is, for the filter.
-        for statement in site.catalogue.chapter(chapter) {
+        for statement in &statements {
             let row = format!("<tr data-kind=\"{}\">", statement.kind);
             part = part.replacen("<tr><td>", &format!("{row}<td>"), 1);
         }
@@ -52,6 +57,21 @@ pub(super) fn page(site: &Site<'_>) -> Generated {
     }
     content.push_str(&html);
     Generated::new("Index of statements", "statements.md", content)
+}
+
+/// Whether a statement is written.
+fn is_written(site: &Site<'_>, statement: &Statement) -> bool {
+    site.manuscript.statements.contains_key(&statement.id)
+}
+
+/// The statements of a chapter: those that are written in their order, then the others.
+fn in_order<'a>(site: &'a Site<'_>, chapter: &'a str) -> Vec<&'a Statement> {
+    let mut statements: Vec<&Statement> = site.catalogue.chapter(chapter).collect();
+    statements.sort_by_key(|statement| {
+        let written = site.manuscript.statements.get(&statement.id);
+        written.map_or((usize::MAX, 0), |written| (written.page, written.offset))
+    });
+    statements
 }
 
 /// The controls of the filter; a script shows them, since without it they do nothing.
