@@ -159,7 +159,7 @@ where
     let allowed = vec![shortened.clone(); legs.len()];
     sides = sides.at_most("a leg is at most d/2ᵏ long", legs, allowed, rounding);
     let away = vertices.iter().enumerate().map(|(i, vertex)| {
-        let nearest = if n == 0 { 0 } else { (i + n / 2) / n };
+        let nearest = (i + n / 2).checked_div(n).unwrap_or(0);
         distance(vertex, &ends[nearest])
     });
     let radius = P::Scalar::from_integer((n / 2) as i64) * shortened;

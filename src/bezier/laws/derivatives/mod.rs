@@ -55,7 +55,7 @@ fn leibniz<T: Scalar>(n: usize, i: i64, p: usize, t: &T) -> T {
             let term = factor
                 * num_traits::pow(t.clone(), i - k)
                 * num_traits::pow(s.clone(), n - i - (p - k));
-            if (p - k) % 2 == 0 {
+            if (p - k).is_multiple_of(2) {
                 sum + term
             } else {
                 sum - term
@@ -139,7 +139,11 @@ fn binomial_differences<P: Affine>(points: &[P], p: usize) -> Vec<Vec<P::Scalar>
                     continue;
                 }
                 let weight = binomial::<P::Scalar>(p, j as i64);
-                let weight = if (p - j) % 2 == 0 { weight } else { -weight };
+                let weight = if (p - j).is_multiple_of(2) {
+                    weight
+                } else {
+                    -weight
+                };
                 for (total, coordinate) in sum.iter_mut().zip(point.coordinates()) {
                     *total += weight.clone() * coordinate.clone();
                 }

@@ -37,7 +37,7 @@ pub fn printed_degree<T: Scalar>(domain: &Interval<T>, m: usize, i: i64, p: usiz
             Some(degree) => binomial::<T>(p, j as i64) * bernstein(degree, i - j as i64, t.clone()),
             None => T::zero(),
         };
-        if (p - j) % 2 == 0 {
+        if (p - j).is_multiple_of(2) {
             sum + term
         } else {
             sum - term

@@ -19,7 +19,7 @@ fn elevated_with<P: Affine>(
 
 /// Divides by n where it must be n + 1.
 pub fn degree_for_degree_plus_one<P: Affine>(curve: &BezierCurve<P>) -> BezierCurve<P> {
-    elevated_with(curve, |i, n| P::Scalar::from_ratio(i, n))
+    elevated_with(curve, P::Scalar::from_ratio)
 }
 
 /// Gives the weight of the left neighbour to the right one.
