@@ -2,24 +2,26 @@
 //!
 //! Read in this order:
 //!
-//! - [`curve`]: control points and domain,
-//! - [`casteljau`]: evaluation and its triangle,
-//! - [`cost`]: what de Casteljau's algorithm costs,
-//! - [`bernstein`](mod@bernstein): the basis,
-//! - [`evaluation`]: evaluation in linear time,
-//! - [`batch`]: many points at once,
-//! - [`derivative`], [`bernstein_derivative`](mod@bernstein_derivative): hodographs, and derivatives of the basis,
-//! - [`integral`]: means, integrals and antiderivatives,
-//! - [`quadratic`]: parabolas and their degenerate cases,
-//! - [`parametric`]: curvature and what else any parametric curve has,
-//! - [`arc_length`], [`nearest`], [`product`]: lengths and nearest points with guaranteed errors,
-//! - [`bounding_box`], [`hull`]: where the curve lies,
-//! - [`subdivision`]: pieces of a curve, and corner cutting,
-//! - [`bounds`]: how far a curve is from its chord and its control polygon,
-//! - [`flattening`]: polylines with a guaranteed distance,
-//! - [`blossom`], [`symmetric`]: the polar form of curves and of powers,
-//! - [`elevation`]: more control points, the same curve,
-//! - [`approximation`]: Bernstein approximation;
+//! - [`curve`] — control points and domain,
+//! - [`casteljau`] — evaluation and its triangle,
+//! - [`paths`] — the paths through the triangle,
+//! - [`cost`] — what de Casteljau's algorithm costs,
+//! - [`bernstein`](mod@bernstein) — the basis,
+//! - [`evaluation`] — evaluation in linear time,
+//! - [`monomial`], [`matrix`] — to and from monomial form,
+//! - [`batch`] — many points at once,
+//! - [`derivative`], [`bernstein_derivative`](mod@bernstein_derivative) — hodographs, and derivatives of the basis,
+//! - [`integral`] — means, integrals and antiderivatives,
+//! - [`quadratic`] — parabolas and their degenerate cases,
+//! - [`parametric`] — curvature and what else any parametric curve has,
+//! - [`arc_length`], [`nearest`], [`product`] — lengths and nearest points with guaranteed errors,
+//! - [`bounding_box`], [`hull`] — where the curve lies,
+//! - [`subdivision`] — pieces of a curve, and corner cutting,
+//! - [`bounds`] — how far a curve is from its chord and its control polygon,
+//! - [`flattening`] — polylines with a guaranteed distance,
+//! - [`blossom`], [`symmetric`] — the polar form of curves and of powers,
+//! - [`elevation`] — more control points, the same curve,
+//! - [`approximation`] — Bernstein approximation;
 //!
 //! the theorems are in [`laws`].
 
@@ -40,8 +42,11 @@ pub mod evaluation;
 pub mod flattening;
 pub mod hull;
 pub mod integral;
+pub mod matrix;
+pub mod monomial;
 pub mod nearest;
 pub mod parametric;
+pub mod paths;
 pub mod product;
 pub mod quadratic;
 pub mod subdivision;
@@ -56,7 +61,10 @@ pub mod figures;
 pub mod computed;
 
 pub use approximation::polygon_at;
-pub use bernstein::{bernstein, binomial};
+pub use bernstein::{
+    BernsteinError, BernsteinMaximum, bernstein, bernstein_basis, bernstein_maximum, bernstein_on,
+    binomial, factorial,
+};
 pub use bernstein_derivative::{bernstein_derivative, bernstein_higher_derivative};
 pub use blossom::{Blossom, BlossomEntry, BlossomError, BlossomTriangle};
 pub use casteljau::CasteljauTriangle;
@@ -65,7 +73,10 @@ pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use derivative::forward_differences;
 pub use elevation::ReductionError;
 pub use flattening::{FlatteningError, Polyline};
+pub use matrix::{bernstein_matrix, monomial_matrix};
+pub use monomial::{MonomialCurve, MonomialError};
 pub use nearest::{Foot, Nearest, NearestError};
+pub use paths::{Step, TrianglePath, TrianglePaths};
 pub use product::{bernstein_inner_product, bernstein_product};
 pub use quadratic::{ParabolaMap, QuadraticError, QuadraticTrace};
 pub use subdivision::{CornerCutting, SubdividedPolygon};

@@ -2,6 +2,7 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;
@@ -10,6 +11,7 @@ mod elevation;
 mod representation;
 mod subdivision;
 
+pub use bernstein::*;
 pub use blossom::*;
 pub use bounds::*;
 pub use de_casteljau::*;

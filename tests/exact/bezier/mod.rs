@@ -1,5 +1,6 @@
 //! The laws of the Bézier chapter, in its sections.
 
+mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;

@@ -1,6 +1,7 @@
 //! The laws of the Bézier chapter, in its sections.
 
 mod batch;
+mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;

@@ -1,11 +1,18 @@
 //! Properties of the Bernstein form.
 
 use cagd::affine::Point;
-use cagd::bezier::{BezierCurve, CasteljauTriangle, laws};
+use cagd::affine::{Interval, Vector};
+use cagd::bezier::{
+    BezierCurve, CasteljauTriangle, MonomialCurve, TrianglePath, TrianglePaths, bernstein_matrix,
+    laws, monomial_matrix,
+};
+use nalgebra::DMatrix;
 
 use proptest::prelude::*;
 
-use crate::generators::{curves_and_parameters, for_all, for_all_of};
+use crate::generators::{
+    curves_and_parameters, domain, for_all, for_all_of, local_parameter, polygon,
+};
 use crate::support::mutants::bezier::{de_casteljau as mutants, representation as wrong};
 use crate::support::{holds, rejects};
 
@@ -76,4 +83,108 @@ fn linear_evaluation() {
         "all in one power of 1 − t",
         law(wrong::powers_of_the_quotient),
     );
+}
+
+fn paths(n: usize, k: usize) -> Vec<TrianglePath> {
+    TrianglePaths::new(n, k).collect()
+}
+
+#[test]
+fn de_casteljau_path_counting() {
+    let law = |implementation: fn(usize, usize) -> Vec<TrianglePath>| {
+        let inputs = (0_usize..=9).prop_flat_map(|n| (Just(n), 0..=n, local_parameter()));
+        for_all(inputs, |&(n, k, t)| {
+            laws::de_casteljau_path_counting(implementation, n, k, t)
+        })
+    };
+    holds(law(paths));
+    rejects("a path is forgotten", law(wrong::path_missing));
+    rejects("one path many times", law(wrong::one_path_repeated));
+    rejects("t and 1 − t swapped", law(wrong::steps_swapped));
+}
+
+#[test]
+fn de_casteljau_derivation() {
+    let law = |implementation: Scheme| {
+        for_all(curves_and_parameters(), |(curve, u)| {
+            laws::de_casteljau_derivation(implementation, curve, *u)
+        })
+    };
+    holds(law(BezierCurve::triangle));
+    rejects("t and 1 − t swapped", law(mutants::parameter_reversed));
+    rejects("midpoints for every t", law(wrong::midpoints));
+    rejects("index off by one", law(mutants::index_off_by_one));
+}
+
+fn both_changes(n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
+    (bernstein_matrix(n), monomial_matrix(n))
+}
+
+#[test]
+fn bernstein_basis() {
+    let law = |implementation: fn(usize) -> (DMatrix<f64>, DMatrix<f64>)| {
+        for_all((0_usize..=12, local_parameter()), |&(n, t)| {
+            laws::bernstein_basis(implementation, n, t)
+        })
+    };
+    holds(law(both_changes));
+    rejects(
+        "signs forgotten",
+        law(|n| (wrong::signs_forgotten(n), monomial_matrix(n))),
+    );
+    rejects("the way back not divided", law(wrong::way_back_not_divided));
+    rejects("the way back in rising order", law(wrong::way_back_rising));
+}
+
+type ToBezier = fn(&MonomialCurve<Point<f64, 2>>, Interval<f64>) -> Curve;
+
+fn to_bezier(form: &MonomialCurve<Point<f64, 2>>, interval: Interval<f64>) -> Curve {
+    let form = form.over(interval).expect("the coefficients are in range");
+    BezierCurve::from_monomial(&form).expect("the coefficients are in range")
+}
+
+/// A polynomial curve over one interval, another interval, and a local parameter of it.
+fn polynomials() -> impl Strategy<Value = (MonomialCurve<Point<f64, 2>>, Interval<f64>, f64)> {
+    (polygon(), domain(), domain(), local_parameter()).prop_map(|(points, first, second, t)| {
+        let vectors = points[1..].iter().map(|p| p.from_origin());
+        let vectors: Vec<Vector<f64, 2>> = vectors.collect();
+        let form = MonomialCurve::on(first, points[0], vectors).expect("finite coefficients");
+        (form, second, t)
+    })
+}
+
+#[test]
+fn every_polynomial_curve() {
+    let law = |implementation: ToBezier| {
+        for_all(polynomials(), |(form, interval, t)| {
+            laws::every_polynomial_curve(implementation, form, *interval, interval.global(*t))
+        })
+    };
+    holds(law(to_bezier));
+    rejects(
+        "the coefficients are not re-expanded",
+        law(wrong::not_re_expanded),
+    );
+    rejects("partial sums of the coefficients", law(wrong::partial_sums));
+    rejects(
+        "the highest power is lost",
+        law(wrong::last_coefficient_dropped),
+    );
+}
+
+#[test]
+fn monomial_form() {
+    let law = |implementation: fn(&Curve) -> MonomialCurve<Point<f64, 2>>| {
+        for_all(curves_and_parameters(), |(curve, u)| {
+            laws::monomial_form(implementation, curve, *u)
+        })
+    };
+    holds(law(|curve| {
+        curve.to_monomial().expect("the coefficients are in range")
+    }));
+    rejects(
+        "without the factor C(n, k)",
+        law(wrong::differences_without_factor),
+    );
+    rejects("the domain is forgotten", law(wrong::form_on_unit_interval));
 }

@@ -1,5 +1,6 @@
 //! Wrong Bézier curves, in the sections of the chapter.
 
+pub mod bernstein;
 pub mod blossom;
 pub mod bounds;
 pub mod de_casteljau;
