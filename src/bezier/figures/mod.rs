@@ -1,9 +1,11 @@
 //! The figures of this chapter, one module per section.
 
 mod de_casteljau;
+mod elevation;
 mod shape;
 
 pub use de_casteljau::*;
+pub use elevation::*;
 pub use shape::*;
 
 use crate::figure::Figure;
@@ -11,7 +13,7 @@ use crate::figure::Figure;
 /// All figures of this chapter.
 #[must_use]
 pub fn all() -> Vec<Figure> {
-    [de_casteljau::all(), shape::all()]
+    [de_casteljau::all(), elevation::all(), shape::all()]
         .into_iter()
         .flatten()
         .collect()

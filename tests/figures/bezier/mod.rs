@@ -1,4 +1,5 @@
 //! The figures of the chapter on Bézier curves, one module per section.
 
 mod de_casteljau;
+mod elevation;
 mod shape;
