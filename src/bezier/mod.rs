@@ -15,7 +15,10 @@
 //! - [`quadratic`] — parabolas and their degenerate cases,
 //! - [`parametric`] — curvature and what else any parametric curve has,
 //! - [`arc_length`], [`nearest`], [`product`] — lengths and nearest points with guaranteed errors,
+//! - [`transform`] — affine images and reversal,
 //! - [`bounding_box`], [`hull`] — where the curve lies,
+//! - [`mod@sign_changes`], [`roots`] — zeros of polynomials in Bernstein form,
+//! - [`line_intersection`] — where a curve meets a line,
 //! - [`subdivision`] — pieces of a curve, and corner cutting,
 //! - [`bounds`] — how far a curve is from its chord and its control polygon,
 //! - [`flattening`] — polylines with a guaranteed distance,
@@ -42,6 +45,7 @@ pub mod evaluation;
 pub mod flattening;
 pub mod hull;
 pub mod integral;
+pub mod line_intersection;
 pub mod matrix;
 pub mod monomial;
 pub mod nearest;
@@ -49,8 +53,12 @@ pub mod parametric;
 pub mod paths;
 pub mod product;
 pub mod quadratic;
+pub mod roots;
+pub mod sign_changes;
+mod square_free;
 pub mod subdivision;
 pub mod symmetric;
+pub mod transform;
 
 pub mod laws;
 
@@ -73,12 +81,15 @@ pub use curve::{BezierCurve, BezierError, Hodograph, PlaneCurve};
 pub use derivative::forward_differences;
 pub use elevation::ReductionError;
 pub use flattening::{FlatteningError, Polyline};
+pub use line_intersection::LineIntersections;
 pub use matrix::{bernstein_matrix, monomial_matrix};
 pub use monomial::{MonomialCurve, MonomialError};
 pub use nearest::{Foot, Nearest, NearestError};
 pub use paths::{Step, TrianglePath, TrianglePaths};
 pub use product::{bernstein_inner_product, bernstein_product};
 pub use quadratic::{ParabolaMap, QuadraticError, QuadraticTrace};
+pub use roots::{Root, RootKind, RootSearch, Roots};
+pub use sign_changes::sign_changes;
 pub use subdivision::{CornerCutting, SubdividedPolygon};
 pub use symmetric::{elementary_symmetric, power_blossom};
 

@@ -16,6 +16,7 @@ mod listed;
     reason = "each test binary uses its own part of the mutants"
 )]
 pub mod mutants;
+pub mod planted;
 
 pub mod jets;
 

@@ -9,6 +9,7 @@ mod de_casteljau;
 mod derivatives;
 mod elevation;
 mod representation;
+mod shape;
 mod subdivision;
 
 pub use bernstein::*;
@@ -18,6 +19,7 @@ pub use de_casteljau::*;
 pub use derivatives::*;
 pub use elevation::*;
 pub use representation::*;
+pub use shape::*;
 pub use subdivision::*;
 
 use super::BezierCurve;

@@ -7,4 +7,5 @@ mod de_casteljau;
 mod derivatives;
 mod elevation;
 mod representation;
+mod shape;
 mod subdivision;

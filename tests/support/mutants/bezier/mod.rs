@@ -7,4 +7,5 @@ pub mod de_casteljau;
 pub mod derivatives;
 pub mod elevation;
 pub mod representation;
+pub mod shape;
 pub mod subdivision;
