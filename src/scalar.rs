@@ -37,7 +37,7 @@ pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 /// }
 ///
 /// assert_eq!(mean(1.0, 2.0), 1.5);
-/// assert_eq!(mean(BigRational::from_integer(1), BigRational::from_integer(2)), BigRational::from_ratio(3, 2));
+/// assert_eq!(mean(BigRational::from_ratio(1, 1), BigRational::from_ratio(2, 1)), BigRational::from_ratio(3, 2));
 /// ```
 pub trait Scalar:
     nalgebra::Scalar

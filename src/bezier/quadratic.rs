@@ -160,7 +160,9 @@ impl<T: OrderedScalar, const D: usize> BezierCurve<Point<T, D>> {
     /// use cagd::affine::Point;
     /// use cagd::bezier::{BezierCurve, QuadraticTrace};
     ///
-    /// let trace = |points: [[f64; 2]; 3]| BezierCurve::new(points.map(Point::new))?.quadratic_trace().map_err(Into::into);
+    /// let trace = |points: [[f64; 2]; 3]| -> Result<_, Box<dyn std::error::Error>> {
+    ///     Ok(BezierCurve::new(points.map(Point::new))?.quadratic_trace()?)
+    /// };
     /// assert_eq!(trace([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]])?, QuadraticTrace::Parabola);
     /// assert_eq!(trace([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]])?, QuadraticTrace::Segment);
     /// assert_eq!(trace([[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]])?, QuadraticTrace::Turning { at: 0.5 });

@@ -60,7 +60,7 @@ pub fn decimal(number: &BigRational, digits: usize) -> String {
 /// use cagd::book::tex::{fraction, point};
 /// use cagd::scalar::{BigRational, Scalar};
 ///
-/// let middle = Point::new([BigRational::from_ratio(1, 2), BigRational::from_integer(3)]);
+/// let middle = Point::new([BigRational::from_ratio(1, 2), BigRational::from_ratio(3, 1)]);
 /// assert_eq!(point(&middle, fraction), r"(\tfrac{1}{2}, 3)");
 /// ```
 #[must_use]

@@ -525,7 +525,7 @@ mod tests {
         assert_eq!(
             set("b_0^1(t)"),
             "<tspan class=\"i\">b</tspan><tspan font-size=\"7.2\" dy=\"2.4\">0</tspan>\
-             <tspan font-size=\"7.2\" dx=\"-3.8\" dy=\"-6.2\">1</tspan><tspan dy=\"3.8\">(</tspan>\
+             <tspan font-size=\"7.2\" dx=\"-3.6\" dy=\"-6.2\">1</tspan><tspan dy=\"3.8\">(</tspan>\
              <tspan class=\"i\">t</tspan>)"
         );
     }
