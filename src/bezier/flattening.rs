@@ -83,7 +83,6 @@ impl<P: Affine<Scalar = f64>> BezierCurve<P> {
     ///
     /// assert!(matches!(curve.flattened_uniformly(0.0), Err(FlatteningError::Tolerance(_))));
     /// assert!(matches!(curve.flattened_uniformly(1e-16), Err(FlatteningError::BelowRounding { .. })));
-    /// assert!(matches!(curve.flattened_uniformly(9e-15), Err(FlatteningError::TooManyChords { .. })));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
