@@ -107,5 +107,73 @@ fn high_degree(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, cubic_batch, high_degree);
+/// A hundred cubics with control points spread over a box of size 1000.
+fn cubics() -> Vec<[[f64; 2]; 4]> {
+    // Multiples of irrational numbers modulo 1 are spread evenly (Weyl); no random numbers needed.
+    let spread = |k: usize, irrational: f64| 1000.0 * (k as f64 * irrational).fract();
+    let point = |k: usize| {
+        [
+            spread(k, 0.618_033_988_749_894_9),
+            spread(k, 0.414_213_562_373_095_1),
+        ]
+    };
+    (0..100)
+        .map(|k| [0, 1, 2, 3].map(|i| point(4 * k + i + 1)))
+        .collect()
+}
+
+/// The tolerance of flattening: a tenth of a unit in the box of size 1000.
+const TOLERANCE: f64 = 0.1;
+
+fn flattening(c: &mut Criterion) {
+    let mut group = c.benchmark_group("flattening 100 cubics in a box of 1000 to 0.1");
+    let curves: Vec<_> = cubics()
+        .into_iter()
+        .map(|points| BezierCurve::new(points.map(Point::new)).expect("finite control points"))
+        .collect();
+    group.bench_function("cagd, few chords", |b| {
+        b.iter(|| {
+            let polylines = black_box(&curves)
+                .iter()
+                .map(|curve| curve.flattened(TOLERANCE));
+            polylines
+                .map(|polyline| polyline.expect("a tolerance").chords())
+                .sum::<usize>()
+        });
+    });
+    group.bench_function("cagd, uniform", |b| {
+        b.iter(|| {
+            let polylines = black_box(&curves)
+                .iter()
+                .map(|curve| curve.flattened_uniformly(TOLERANCE));
+            polylines
+                .map(|polyline| polyline.expect("a tolerance").chords())
+                .sum::<usize>()
+        });
+    });
+    let segments: Vec<_> = cubics()
+        .into_iter()
+        .map(|points| {
+            let [from, ctrl1, ctrl2, to] = points.map(|[x, y]| lyon_geom::point(x, y));
+            lyon_geom::CubicBezierSegment {
+                from,
+                ctrl1,
+                ctrl2,
+                to,
+            }
+        })
+        .collect();
+    group.bench_function("lyon_geom, collected", |b| {
+        b.iter(|| {
+            let polylines = black_box(&segments).iter().map(|segment| {
+                let points: Vec<_> = segment.flattened(TOLERANCE).collect();
+                points.len()
+            });
+            polylines.sum::<usize>()
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, cubic_batch, high_degree, flattening);
 criterion_main!(benches);
