@@ -30,6 +30,11 @@ impl Rect {
         side(0).max(0.0) * side(1).max(0.0)
     }
 
+    /// Whether the bounding box of a segment meets the rectangle: if not, the segment does not.
+    pub(super) fn may_meet(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        (0..2).all(|k| a[k].max(b[k]) >= self.low[k] && a[k].min(b[k]) <= self.high[k])
+    }
+
     /// The parameters between which a + t·(b − a), 0 ≤ t ≤ 1, lies inside (Liang and Barsky).
     pub(super) fn inside(&self, a: [f64; 2], b: [f64; 2]) -> Option<(f64, f64)> {
         self.inside_of(a, b, (0.0, 1.0))

@@ -50,6 +50,8 @@ const ON_LABEL: f64 = 1500.0;
 const ON_MARKER: f64 = 300.0;
 const ON_LINE: f64 = 7.0;
 const NEAR_LINE: f64 = 1.0;
+/// How near a line disturbs, in units of the picture.
+const NEAR: f64 = 6.0;
 const FARTHER: f64 = 1.6;
 const LATER_SIDE: f64 = 0.6;
 
@@ -66,15 +68,17 @@ pub(super) fn place(
         .map(|request| candidates(request, lines, markers, taken))
         .collect();
     for _sweep in 0..3 {
+        let before = placed.clone();
         for i in 0..requests.len() {
             let mut best: Option<(f64, Placed)> = None;
             for (candidate, cost) in &fixed[i] {
-                let others = placed
-                    .iter()
-                    .enumerate()
-                    .filter(|(j, _)| *j != i)
-                    .filter_map(|(_, p)| p.as_ref());
+                // The cheapest come first, so no later one can do better.
+                if best.is_some_and(|(least, _)| *cost >= least) {
+                    break;
+                }
+                let others = placed.iter().enumerate().filter(|(j, _)| *j != i);
                 let covered: f64 = others
+                    .filter_map(|(_, other)| other.as_ref())
                     .map(|other| charge(&candidate.rect, &other.rect, ON_LABEL))
                     .sum();
                 let total = cost + covered;
@@ -83,6 +87,9 @@ pub(super) fn place(
                 }
             }
             placed[i] = best.map(|(_, candidate)| candidate);
+        }
+        if placed == before {
+            break;
         }
     }
     placed.into_iter().flatten().collect()
@@ -95,13 +102,34 @@ fn charge(a: &Rect, b: &Rect, price: f64) -> f64 {
     }
 }
 
-/// All candidates with what they cost, other labels apart.
+/// All candidates with what they cost, other labels apart; the cheapest first.
 fn candidates(
     request: &Request,
     lines: &[([f64; 2], [f64; 2], f64)],
     markers: &[Rect],
     taken: &[Rect],
 ) -> Vec<(Placed, f64)> {
+    // Only what is within reach of some candidate can cost anything.
+    let Extent {
+        width,
+        ascent,
+        descent,
+    } = request.extent;
+    let reach = request.clear + RINGS[RINGS.len() - 1] + NEAR + width.max(ascent + descent);
+    let here = Rect {
+        low: request.anchor,
+        high: request.anchor,
+    }
+    .inflated(reach);
+    let lines: Vec<_> = lines
+        .iter()
+        .filter(|(a, b, _)| here.may_meet(*a, *b))
+        .collect();
+    let near_by = |rects: &[Rect]| -> Vec<Rect> {
+        let meets = |rect: &&Rect| here.may_meet(rect.low, rect.high);
+        rects.iter().filter(meets).copied().collect()
+    };
+    let (markers, taken) = (near_by(markers), near_by(taken));
     let sides = request.side.map_or(SIDES.to_vec(), |side| vec![side]);
     let mut found = vec![];
     for (order, &side) in sides.iter().enumerate() {
@@ -119,8 +147,12 @@ fn candidates(
                 .iter()
                 .map(|marker| charge(&placed.rect, marker, ON_MARKER))
                 .sum::<f64>();
-            let (tight, wide) = (placed.rect.inflated(1.0), placed.rect.inflated(6.0));
-            for &(a, b, weight) in lines {
+            let (tight, wide) = (placed.rect.inflated(1.0), placed.rect.inflated(NEAR));
+            for &&(a, b, weight) in &lines {
+                // Comparing first spares most of the divisions.
+                if !wide.may_meet(a, b) {
+                    continue;
+                }
                 let Some(near) = wide.inside(a, b) else {
                     continue;
                 };
@@ -133,6 +165,8 @@ fn candidates(
             found.push((placed, cost));
         }
     }
+    // Sorting is stable: among equals the side that is tried first stays first.
+    found.sort_by(|(_, a), (_, b)| a.total_cmp(b));
     found
 }
 

@@ -13,6 +13,7 @@
 
 mod bezier;
 mod every_figure;
+mod interface;
 #[cfg(feature = "book")]
 #[path = "../support/listed.rs"]
 mod listed;
