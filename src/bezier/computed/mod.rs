@@ -2,7 +2,9 @@
 //!
 //! A page shows what a function gives by `{{#computed bezier NAME}}`.
 
+mod bernstein;
 mod elevation;
+mod representation;
 
 /// A function of this chapter by its name.
 pub type Computed = (&'static str, fn() -> String);
@@ -10,5 +12,5 @@ pub type Computed = (&'static str, fn() -> String);
 /// Everything that the pages of the chapter can show.
 #[must_use]
 pub fn all() -> Vec<Computed> {
-    [elevation::ALL].concat()
+    [bernstein::ALL, elevation::ALL, representation::ALL].concat()
 }
