@@ -3,8 +3,10 @@
 //! The same code runs in process, when the workbook builds the book, and as the command that stock mdBook calls.
 
 use std::io::{Read, Write};
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -68,11 +70,16 @@ impl Workbook {
         for page in &manuscript.pages {
             lint::check(page, &mut errors);
         }
-        let evidence = AllEvidence::find(root, &catalogue, &manuscript).unwrap_or_else(|e| {
+        let (evidence, laws) = std::thread::scope(|scope| {
+            let evidence = scope.spawn(|| AllEvidence::find(root, &catalogue, &manuscript));
+            let laws = Laws::find(root);
+            (evidence.join(), laws)
+        });
+        let evidence = evidence.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        let evidence = evidence.unwrap_or_else(|e| {
             errors.extend(e.iter().cloned());
             AllEvidence::default()
         });
-        let laws = Laws::find(root);
         let site = Site::new(
             root,
             &catalogue,
@@ -83,8 +90,8 @@ impl Workbook {
             &laws,
             errors,
         );
-        let mut expanded = Vec::new();
-        for (index, page) in manuscript.pages.iter().enumerate() {
+        let expanded = in_parallel(manuscript.pages.len(), |index| {
+            let page = &manuscript.pages[index];
             let address = site.address(index);
             let expansion = Expansion {
                 site: &site,
@@ -93,8 +100,8 @@ impl Workbook {
                 repeated: false,
                 line: None,
             };
-            expanded.push(expansion.expand(0..page.text.len()));
-        }
+            expansion.expand(0..page.text.len())
+        });
         let generated = generate(&site);
         BookErrors::none_of(site.into_errors())?;
         let mut contents = expanded.into_iter();
@@ -104,6 +111,31 @@ impl Workbook {
             .extend(generated.into_iter().map(|page| chapter(page, &[])));
         Ok(())
     }
+}
+
+/// The values of `work` at `0..count`, computed by as many threads as the machine runs at once.
+fn in_parallel<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let done = Mutex::new(Vec::with_capacity(count));
+    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(count) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    if index >= count {
+                        break;
+                    }
+                    let value = work(index);
+                    let mut done = done.lock().unwrap_or_else(|e| e.into_inner());
+                    done.push((index, value));
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().unwrap_or_else(|e| e.into_inner());
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, value)| value).collect()
 }
 
 /// Puts the expanded contents in the place of the written ones, in the same order.
