@@ -35,7 +35,7 @@ pub type Vector<T, const D: usize> = nalgebra::SVector<T, D>;
 /// assert_eq!(p + (q - p), q);
 /// ```
 ///
-/// ```compile_fail,E0369
+/// ```compile_fail,E0308
 /// # use cagd::affine::Point;
 /// let sum = Point::new([1.0, 2.0]) + Point::new([4.0, 6.0]);
 /// ```

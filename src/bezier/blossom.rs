@@ -50,7 +50,7 @@ impl<P: Affine> BezierCurve<P> {
     /// # Ok::<(), cagd::bezier::BezierError>(())
     /// ```
     ///
-    /// Source: `ramshaw1989`, §5; `farin2002`, §4.4.
+    /// Source: `ramshaw1989`; `farin2002`, §4.4.
     pub fn from_blossom(
         domain: Interval<P::Scalar>,
         degree: usize,

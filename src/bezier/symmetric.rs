@@ -63,7 +63,7 @@ pub fn elementary_symmetric<T: Scalar>(numbers: &[T]) -> Vec<T> {
 /// assert_eq!(error.to_string(), "the degree of t^2 is too high for a blossom with so few arguments (1); give at least 2");
 /// ```
 ///
-/// Source: `ramshaw1989`, §3.
+/// Source: `ramshaw1989`.
 pub fn power_blossom<T: Scalar>(power: usize, arguments: &[T]) -> Result<T, BlossomError> {
     elementary_symmetric(arguments)
         .into_iter()

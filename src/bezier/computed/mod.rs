@@ -3,6 +3,8 @@
 //! A page shows what a function gives by `{{#computed bezier NAME}}`.
 
 mod bernstein;
+mod blossom;
+mod de_casteljau;
 mod elevation;
 mod representation;
 
@@ -12,5 +14,12 @@ pub type Computed = (&'static str, fn() -> String);
 /// Everything that the pages of the chapter can show.
 #[must_use]
 pub fn all() -> Vec<Computed> {
-    [bernstein::ALL, elevation::ALL, representation::ALL].concat()
+    [
+        bernstein::ALL,
+        blossom::ALL,
+        de_casteljau::ALL,
+        elevation::ALL,
+        representation::ALL,
+    ]
+    .concat()
 }

@@ -1,10 +1,64 @@
 //! Figures of the section on the algorithm of de Casteljau.
 
+use crate::affine::Point;
 use crate::bezier::BezierCurve;
-use crate::figure::{Figure, PointStyle, Style};
+use crate::figure::{Figure, PointStyle, Scheme, Style, decimal};
 
 pub(super) fn all() -> Vec<Figure> {
-    vec![figure_de_casteljau()]
+    vec![
+        motivation(),
+        figure_de_casteljau(),
+        parameter_range(),
+        de_casteljau_triangle(),
+    ]
+}
+
+/// The same cubic with its monomial coefficients and with its control polygon.
+#[must_use]
+pub fn motivation() -> Figure {
+    const PANELS: [&str; 2] = ["monomials", "control points"];
+    Figure::new(
+        "bezier-motivation",
+        "One cubic, two sets of coefficients",
+        "The same cubic curve twice. \
+         On the left its monomial coefficients: the point where it starts, and three vectors drawn from there as arrows, \
+         of which only the first, the velocity at the start, has to do with the picture of the curve. \
+         On the right its control polygon, which outlines the curve from one end to the other.",
+    )
+    .rows(&[&PANELS])
+    .handles_in(
+        PANELS[1],
+        "b",
+        [[0.0, 0.0], [1.0, 1.6], [3.0, 2.4], [6.4, 0.4]],
+    )
+    .draw(|values, canvas| {
+        let curve = BezierCurve::new(values.points("b")?)?;
+        for panel in PANELS {
+            canvas.panel(panel);
+            canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
+        }
+        canvas.panel(PANELS[0]);
+        canvas.caption("monomial coefficients");
+        let start = curve.at(0.0);
+        // The coefficient of t^k is the k-th derivative at 0, divided by k!.
+        let derivatives = curve.derivatives::<3>(0.0);
+        for ((k, derivative), factorial) in (1..).zip(derivatives).zip([1.0, 2.0, 6.0]) {
+            let tip = start + derivative / factorial;
+            canvas.arrow(&format!("a_{k}"), start, tip, Style::Tangent);
+            canvas.label(&format!("a_{k}"), tip);
+        }
+        canvas.point("a_0", start, PointStyle::OnCurve);
+        canvas.label("a_0", start);
+        canvas.panel(PANELS[1]);
+        canvas.caption("control points");
+        canvas.polyline(
+            "control polygon",
+            curve.control_points(),
+            Style::ControlPolygon,
+        );
+        canvas.labels("b", curve.control_points());
+        Ok(())
+    })
 }
 
 /// The construction for n = 2, 3, 4: control polygon, intermediate segments, and the point b(t).
@@ -47,6 +101,82 @@ pub fn figure_de_casteljau() -> Figure {
                 }
             }
         }
+        Ok(())
+    })
+}
+
+/// A cubic beyond both ends of [0, 1], with the extrapolating construction.
+#[must_use]
+pub fn parameter_range() -> Figure {
+    Figure::new(
+        "bezier-parameter-range",
+        "The curve beyond its control points",
+        "A cubic Bézier curve, solid for t in [0, 1] and dashed for t from −0.3 to 0 and from 1 to 1.3. \
+         For the marked t outside [0, 1] every point of the construction lies on the prolongation of a segment, \
+         which is drawn as a thin dashed line; the last of them lies on the dashed part of the curve.",
+    )
+    .slider("t", -0.3..=1.3, 1.2)
+    .handles("b", [[0.0, 0.0], [0.6, 3.6], [4.6, 4.0], [7.5, 1.6]])
+    .draw(|values, canvas| {
+        let t = values.number("t")?;
+        let curve = BezierCurve::new(values.points("b")?)?;
+        let triangle = curve.triangle(t);
+        let n = curve.degree();
+        canvas.curve("before", -0.3..=0.0, |t| curve.at(t), Style::Extension);
+        canvas.curve("after", 1.0..=1.3, |t| curve.at(t), Style::Extension);
+        canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
+        canvas.polyline(
+            "control polygon",
+            curve.control_points(),
+            Style::ControlPolygon,
+        );
+        for level in 1..=n {
+            for (i, pair) in triangle.column(level - 1).windows(2).enumerate() {
+                let nearer = if t > 0.5 { pair[1] } else { pair[0] };
+                let name = format!("prolongation {level}.{i}");
+                canvas.segment(&name, nearer, triangle.point(level, i), Style::Guide);
+            }
+            if level < n {
+                let name = format!("level {level}");
+                canvas.polyline(&name, triangle.column(level), Style::Level(level));
+            }
+        }
+        canvas.point("b(t)", triangle.tip(), PointStyle::Result);
+        canvas.label(&format!("b({})", decimal(t, 2)), triangle.tip());
+        canvas.labels("b", curve.control_points());
+        Ok(())
+    })
+}
+
+/// The triangular scheme for n = 3 with its numbers.
+#[must_use]
+pub fn de_casteljau_triangle() -> Figure {
+    Figure::new(
+        "bezier-de-casteljau-triangle",
+        "The triangular scheme of the de Casteljau algorithm",
+        "Four columns of points. The first holds the four control points. \
+         From each two neighbours in a column two arrows lead to a point of the next column: \
+         the one from the upper neighbour carries the weight 1 − t, the one from the lower neighbour the weight t. \
+         The last column holds one point, the point of the curve.",
+    )
+    .slider("t", 0.0..=1.0, 0.4)
+    .draw(|values, canvas| {
+        let points = [[0.0, 0.0], [1.0, 3.0], [4.0, 3.0], [5.0, 0.0]];
+        let curve = BezierCurve::new(points.map(Point::new))?;
+        let triangle = curve.triangle(values.number("t")?);
+        let columns = triangle.columns().enumerate().map(|(level, column)| {
+            let entry = |(i, point): (usize, &Point<f64, 2>)| {
+                let name = match level {
+                    0 => format!("b_{i}"),
+                    _ => format!("b_{i}^{level}"),
+                };
+                let [x, y] = [0, 1].map(|k| decimal(point[k], 3));
+                format!("{name}\n({x}, {y})")
+            };
+            column.iter().enumerate().map(entry).collect::<Vec<_>>()
+        });
+        let scheme = Scheme::triangle(columns).weights("1-t", "t");
+        canvas.scheme("scheme", &scheme);
         Ok(())
     })
 }
