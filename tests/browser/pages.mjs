@@ -70,21 +70,20 @@ async function visit(page, url, allowed, label) {
     await page.goto(url, { waitUntil: "load" });
     await page.evaluate(() => document.fonts.ready);
     const overflow = await page.evaluate(() => {
-        const root = document.scrollingElement;
-        const excess = root.scrollWidth - root.clientWidth;
-        if (excess <= 0) {
+        // Code, tables and formulas may scroll within their own box; the page and what frames it may not.
+        const frames = [document.scrollingElement, document.querySelector("main")];
+        for (let frame = frames[1]?.parentElement; frame; frame = frame.parentElement) {
+            frames.push(frame);
+        }
+        const wide = frames.find(frame => frame && frame.scrollWidth > frame.clientWidth);
+        if (!wide) {
             return null;
         }
-        // What sticks out itself, not what contains it; what scrolls within its own box does no harm.
-        const scrolls = element => {
-            for (let box = element.parentElement; box && box !== root; box = box.parentElement) {
-                if (getComputedStyle(box).overflowX !== "visible") return true;
-            }
-            return false;
-        };
-        const culprit = [...document.body.querySelectorAll("*")].find(element =>
-            element.getBoundingClientRect().right > root.clientWidth + 1 && !scrolls(element));
-        return `${excess} px too wide: ${culprit?.outerHTML.slice(0, 120) ?? "?"}`;
+        const limit = wide.getBoundingClientRect().left + wide.clientWidth;
+        const culprits = [...wide.querySelectorAll("*")].filter(element =>
+            element.getBoundingClientRect().right > limit + 1);
+        const excess = wide.scrollWidth - wide.clientWidth;
+        return `${excess} px too wide: ${culprits.at(-1)?.outerHTML.slice(0, 120) ?? wide.outerHTML.slice(0, 120)}`;
     });
     if (overflow) {
         wrong.push(overflow);

@@ -89,7 +89,7 @@ fn a_port_in_use_is_told_with_the_way_out() {
         .to_string();
     let run = house.run(&["--port", &port]);
     run.assert_status(2);
-    run.assert_says(&port);
+    run.assert_says(&format!("port {port} is already in use"));
     run.assert_says("--port");
 }
 
