@@ -161,13 +161,19 @@ impl<const D: usize> Cubic<D> {
 impl<const D: usize> Prepared<D> for Cubic<D> {
     #[inline(always)]
     fn evaluate(&self, t: &[f64; BLOCK], multiply_add: impl MultiplyAdd) -> [[f64; BLOCK]; D] {
+        // The squares are computed once for all coordinates.
+        let (mut s, mut s_squared, mut t_squared) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        for k in 0..BLOCK {
+            s[k] = 1.0 - t[k];
+            s_squared[k] = s[k] * s[k];
+            t_squared[k] = t[k] * t[k];
+        }
         let mut points = [[0.0; BLOCK]; D];
-        for d in 0..D {
+        for (d, values) in points.iter_mut().enumerate() {
             for k in 0..BLOCK {
-                let (t, s) = (t[k], 1.0 - t[k]);
-                let first = multiply_add(t, self.left[d], self.start[d]);
-                let second = multiply_add(s, self.right[d], self.end[d]);
-                points[d][k] = multiply_add(s * s, first, t * t * second);
+                let first = multiply_add(t[k], self.left[d], self.start[d]);
+                let second = multiply_add(s[k], self.right[d], self.end[d]);
+                values[k] = multiply_add(s_squared[k], first, t_squared[k] * second);
             }
         }
         points
@@ -192,18 +198,17 @@ impl<const D: usize> Prepared<D> for Scaled<D> {
     #[inline(always)]
     fn evaluate(&self, t: &[f64; BLOCK], multiply_add: impl MultiplyAdd) -> [[f64; BLOCK]; D] {
         let mut points = [[0.0; BLOCK]; D];
-        for d in 0..D {
-            points[d] = [self.0[0][d]; BLOCK];
+        for (values, first) in points.iter_mut().zip(self.0[0]) {
+            *values = [first; BLOCK];
         }
         let mut power = [1.0; BLOCK];
         for coefficient in &self.0[1..] {
-            for k in 0..BLOCK {
-                power[k] *= t[k];
+            for (power, t) in power.iter_mut().zip(t) {
+                *power *= t;
             }
-            for d in 0..D {
+            for (values, coefficient) in points.iter_mut().zip(coefficient) {
                 for k in 0..BLOCK {
-                    let term = power[k] * coefficient[d];
-                    points[d][k] = multiply_add(points[d][k], 1.0 - t[k], term);
+                    values[k] = multiply_add(values[k], 1.0 - t[k], power[k] * coefficient);
                 }
             }
         }
