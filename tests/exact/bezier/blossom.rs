@@ -40,7 +40,7 @@ fn blossom_value(curve: &Curve, arguments: &[BigRational]) -> BigRational {
 fn grid(degree: usize) -> impl Iterator<Item = Vec<BigRational>> {
     (0..1_u32 << degree).map(move |bits| {
         let digits = (0..degree).map(|k| i64::from(bits >> k & 1));
-        digits.map(|digit| integer(digit)).collect()
+        digits.map(integer).collect()
     })
 }
 
