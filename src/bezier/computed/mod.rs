@@ -7,6 +7,7 @@ mod blossom;
 mod de_casteljau;
 mod elevation;
 mod representation;
+mod shape;
 
 /// A function of this chapter by its name.
 pub type Computed = (&'static str, fn() -> String);
@@ -20,6 +21,7 @@ pub fn all() -> Vec<Computed> {
         de_casteljau::ALL,
         elevation::ALL,
         representation::ALL,
+        shape::ALL,
     ]
     .concat()
 }
