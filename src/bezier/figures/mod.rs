@@ -1,13 +1,17 @@
 //! The figures of this chapter, one module per section.
 
+mod bernstein;
 mod blossom;
 mod de_casteljau;
 mod elevation;
+mod representation;
 mod shape;
 
+pub use bernstein::*;
 pub use blossom::*;
 pub use de_casteljau::*;
 pub use elevation::*;
+pub use representation::*;
 pub use shape::*;
 
 use crate::figure::Figure;
@@ -16,9 +20,11 @@ use crate::figure::Figure;
 #[must_use]
 pub fn all() -> Vec<Figure> {
     [
+        bernstein::all(),
         blossom::all(),
         de_casteljau::all(),
         elevation::all(),
+        representation::all(),
         shape::all(),
     ]
     .into_iter()
