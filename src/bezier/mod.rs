@@ -22,6 +22,7 @@
 //! - [`subdivision`] — pieces of a curve, and corner cutting,
 //! - [`bounds`] — how far a curve is from its chord and its control polygon,
 //! - [`flattening`] — polylines with a guaranteed distance,
+//! - [`intersection`] — where two plane curves meet,
 //! - [`blossom`], [`symmetric`] — the polar form of curves and of powers,
 //! - [`elevation`] — more control points, the same curve,
 //! - [`approximation`] — Bernstein approximation;
@@ -45,6 +46,7 @@ pub mod evaluation;
 pub mod flattening;
 pub mod hull;
 pub mod integral;
+pub mod intersection;
 pub mod line_intersection;
 pub mod matrix;
 pub mod monomial;

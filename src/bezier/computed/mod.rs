@@ -4,10 +4,15 @@
 
 mod bernstein;
 mod blossom;
+mod bounds;
 mod de_casteljau;
 mod elevation;
 mod representation;
+<<<<<<< HEAD
 mod shape;
+=======
+mod subdivision;
+>>>>>>> 6a1f4c8 (Find the intersections of two curves by subdivision, missing none; the pages on subdivision and on bounds)
 
 /// A function of this chapter by its name.
 pub type Computed = (&'static str, fn() -> String);
@@ -18,10 +23,15 @@ pub fn all() -> Vec<Computed> {
     [
         bernstein::ALL,
         blossom::ALL,
+        bounds::ALL,
         de_casteljau::ALL,
         elevation::ALL,
         representation::ALL,
+<<<<<<< HEAD
         shape::ALL,
+=======
+        subdivision::ALL,
+>>>>>>> 6a1f4c8 (Find the intersections of two curves by subdivision, missing none; the pages on subdivision and on bounds)
     ]
     .concat()
 }

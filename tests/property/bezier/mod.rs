@@ -7,6 +7,8 @@ mod bounds;
 mod de_casteljau;
 mod derivatives;
 mod elevation;
+mod flattening;
+mod intersection;
 mod representation;
 mod shape;
 mod subdivision;

@@ -6,6 +6,7 @@ pub mod bounds;
 pub mod de_casteljau;
 pub mod derivatives;
 pub mod elevation;
+pub mod intersection;
 pub mod representation;
 pub mod shape;
 pub mod subdivision;
