@@ -123,7 +123,7 @@ impl PlaneCurve {
     /// let [rising, falling] = [[[0.0, 0.0], [4.0, 4.0]], [[0.0, 3.0], [4.0, 0.0]]]
     ///     .map(|points| BezierCurve::new(points.map(Point::new)).expect("finite points"));
     /// assert_eq!(rising.surviving_pairs(&falling, 0).len(), 1);
-    /// assert_eq!(rising.surviving_pairs(&falling, 2).len(), 1);
+    /// assert_eq!(rising.surviving_pairs(&falling, 2).len(), 3, "of 16 pairs of quarters");
     /// # Ok::<(), cagd::bezier::BezierError>(())
     /// ```
     #[must_use]

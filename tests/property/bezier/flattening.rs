@@ -119,10 +119,10 @@ fn every_other(polyline: &Polyline<Point<f64, 2>>) -> Polyline<Point<f64, 2>> {
 
 /// Fewer chords than this are not possible: see the comments inside.
 fn fewest(curve: &Curve, tolerance: f64) -> usize {
-    const GRID: usize = 600;
-    let samples: Vec<Point<f64, 2>> = (0..=GRID)
-        .map(|k| curve.at(k as f64 / GRID as f64))
-        .collect();
+    // Any places on the curve would do; these stand about fifty to a chord, however fast the curve runs.
+    let fine = curve.flattened(tolerance / 2500.0).expect("a tolerance");
+    let samples = fine.vertices;
+    let last = samples.len() - 1;
     let fits = |from: usize, to: usize| {
         // Only samples are looked at, so this says yes more often than the truth.
         let step = ((to - from) / 24).max(1);
@@ -133,16 +133,16 @@ fn fewest(curve: &Curve, tolerance: f64) -> usize {
     };
     let mut count = 0;
     let mut start = 0;
-    while start < GRID {
+    while start < last {
         let mut end = start + 1;
         // The farthest vertex, even if nearer ones do not fit.
-        for candidate in start + 1..=GRID {
+        for candidate in start + 1..=last {
             if fits(start, candidate) {
                 end = candidate;
             }
         }
         // A true vertex lies between two of the grid: one step more for the one that follows.
-        start = end + usize::from(end < GRID);
+        start = end + usize::from(end < last);
         count += 1;
     }
     count
