@@ -8,11 +8,8 @@ mod bounds;
 mod de_casteljau;
 mod elevation;
 mod representation;
-<<<<<<< HEAD
 mod shape;
-=======
 mod subdivision;
->>>>>>> 6a1f4c8 (Find the intersections of two curves by subdivision, missing none; the pages on subdivision and on bounds)
 
 /// A function of this chapter by its name.
 pub type Computed = (&'static str, fn() -> String);
@@ -27,11 +24,8 @@ pub fn all() -> Vec<Computed> {
         de_casteljau::ALL,
         elevation::ALL,
         representation::ALL,
-<<<<<<< HEAD
         shape::ALL,
-=======
         subdivision::ALL,
->>>>>>> 6a1f4c8 (Find the intersections of two curves by subdivision, missing none; the pages on subdivision and on bounds)
     ]
     .concat()
 }

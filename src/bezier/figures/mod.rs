@@ -2,17 +2,21 @@
 
 mod bernstein;
 mod blossom;
+mod bounds;
 mod de_casteljau;
 mod elevation;
 mod representation;
 mod shape;
+mod subdivision;
 
 pub use bernstein::*;
 pub use blossom::*;
+pub use bounds::*;
 pub use de_casteljau::*;
 pub use elevation::*;
 pub use representation::*;
 pub use shape::*;
+pub use subdivision::*;
 
 use crate::figure::Figure;
 
@@ -22,10 +26,12 @@ pub fn all() -> Vec<Figure> {
     [
         bernstein::all(),
         blossom::all(),
+        bounds::all(),
         de_casteljau::all(),
         elevation::all(),
         representation::all(),
         shape::all(),
+        subdivision::all(),
     ]
     .into_iter()
     .flatten()

@@ -2,7 +2,9 @@
 
 mod bernstein;
 mod blossom;
+mod bounds;
 mod de_casteljau;
 mod elevation;
 mod representation;
 mod shape;
+mod subdivision;
