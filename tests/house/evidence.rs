@@ -275,3 +275,19 @@ fn a_chapter_begins_with_its_first_statement() {
         ]
     );
 }
+
+#[test]
+fn a_figure_needs_no_words_besides_its_own() {
+    let page = "book/src/bezier/shape.md";
+    let catalogue = CATALOGUE
+        .replace("theorem", "figure")
+        .replace("errata = true", "");
+    let catalogue = ("book/statements/bezier.toml", &*catalogue);
+    let opening = "{{#statement bezier-convex-hull}}\n";
+    let shown = format!("{opening}{{{{#figure bezier-convex-hull}}}}\n{{{{/statement}}}}\n");
+    let shown = missing(house(&[catalogue, (page, &shown)]).path());
+    assert!(!shown.contains(&"statement"), "{shown:?}");
+    let bare = format!("{opening}{{{{/statement}}}}\n");
+    let bare = missing(house(&[catalogue, (page, &bare)]).path());
+    assert!(bare.contains(&"statement"), "{bare:?}");
+}

@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::catalogue::{CHAPTERS, Catalogue, Need, Statement};
+use super::catalogue::{CHAPTERS, Catalogue, Kind, Need, Statement};
 use super::error::{BookErrors, Place};
 use super::manuscript::Manuscript;
 use super::page::{CodeBlock, InnerBlock, Page, StatementBlock};
@@ -175,7 +175,7 @@ impl Sources<'_> {
         let mut evidence = Evidence::default();
         let written = self.section(&statement.id);
         if let Some((page, section)) = written {
-            read_section(page, section, &mut evidence);
+            read_section(statement.kind, page, section, &mut evidence);
         }
         let section = written.map(|(_, section)| section);
         self.laws(statement, section, Need::Property, &mut evidence);
@@ -312,10 +312,12 @@ impl Sources<'_> {
 }
 
 /// What stands in the section itself: text, examples, proofs, errata.
-fn read_section(page: &Page, section: &StatementBlock, evidence: &mut Evidence) {
+fn read_section(kind: Kind, page: &Page, section: &StatementBlock, evidence: &mut Evidence) {
     let opening = Place::new(&page.file, section.line);
     evidence.stated = Some(opening.clone());
-    if !has_words(&page.text[own_text(page, section)]) {
+    // A figure speaks by its picture, which has a title and a description of its own.
+    let speaks = kind == Kind::Figure && !section.figures.is_empty();
+    if !speaks && !has_words(&page.text[own_text(page, section)]) {
         let reason = "the section says nothing; write the statement below its directive";
         evidence.doubt(Gap::Statement, opening, reason);
     }
