@@ -114,6 +114,7 @@ pub fn uniform_convergence() -> Figure {
         "b",
         [[0.0, 0.0], [1.0, 4.0], [4.0, 5.0], [6.5, 4.5], [7.0, 0.0]],
     )
+    .rows(&[&["curve"], &["distance"]])
     .draw(|values, canvas| {
         let curve = BezierCurve::new(values.points("b")?)?;
         canvas.panel("curve");
@@ -162,7 +163,7 @@ pub fn intersection_algorithm() -> Figure {
     )
     .handles_in("step 1", "p", [[0.0, 1.0], [3.0, 8.0], [6.0, -3.0], [9.0, 4.5]])
     .handles_in("step 1", "q", [[0.5, 4.5], [3.5, -2.5], [6.0, 7.5], [9.0, 1.0]])
-    .slider("h", 0.1..=0.5, 0.3)
+    .slider("h", 0.1..=0.3, 0.3)
     .rows(&[&["step 1", "step 3"], &["step 5", "chord"]])
     .draw(|values, canvas| {
         let [p, q] = [values.points("p")?, values.points("q")?];
@@ -170,7 +171,7 @@ pub fn intersection_algorithm() -> Figure {
         let crossings = crossings(&curves[0], &curves[1])?;
         for step in [1, 3, 5] {
             canvas.panel(&format!("step {step}"));
-            canvas.caption(&format!("after {step} halvings"));
+            canvas.caption(&format!("$k = {step}$"));
             surviving_boxes(canvas, &curves, step)?;
             canvas.curve("first curve", 0.0..=1.0, |t| curves[0].at(t), Style::Curve);
             canvas.curve("second curve", 0.0..=1.0, |t| curves[1].at(t), Style::SecondCurve);
@@ -190,7 +191,6 @@ pub fn intersection_algorithm() -> Figure {
         let found = arch.intersections(&post, h)?;
         let places = found.meetings.iter().map(|meeting| arch.at(meeting.first.middle()));
         canvas.points("crossing", places, PointStyle::Cross);
-        canvas.include([0.0, 1.0]);
         Ok(())
     })
 }

@@ -125,7 +125,7 @@ pub fn corner_cutting_convergence() -> Figure {
             canvas.panel(panel);
             canvas.caption(&format!("$P_{}$", polygon.step()));
             canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
-            canvas.polyline("polygon", polygon.vertices(), Style::Level(1));
+            canvas.polyline("polygon", polygon.vertices(), Style::SecondPolygon);
         }
         Ok(())
     })
