@@ -98,6 +98,20 @@ pub enum FigureError {
         /// What is wrong with it.
         reason: String,
     },
+    /// A handle belongs to a panel that is not drawn.
+    #[error(
+        "figure {figure} shows the handle {name} in the panel `{panel}`, but draws only: {known}"
+    )]
+    UnknownPanel {
+        /// The figure's id.
+        figure: String,
+        /// The parameter.
+        name: String,
+        /// The panel it asks for.
+        panel: String,
+        /// The panels that are drawn.
+        known: String,
+    },
     /// The figure has no drawing function.
     #[error("figure {figure} draws nothing; give it a drawing function with Figure::draw")]
     NothingDrawn {

@@ -297,7 +297,12 @@ impl Setter {
                 ' ' => {
                     // Spaces beside operators are set by the operators.
                     let next = after.trim_start();
-                    let beside = !operand || next.starts_with(['+', '-', '=', '<', '>']);
+                    let operator = next
+                        .strip_prefix('\\')
+                        .and_then(|after| symbol(command(after).ok()?.0))
+                        .is_some_and(|(_, kind)| matches!(kind, Kind::Binary | Kind::Relation));
+                    let beside =
+                        !operand || operator || next.starts_with(['+', '-', '=', '<', '>']);
                     if !beside {
                         self.push(" ", false);
                     }
@@ -535,6 +540,7 @@ mod tests {
         assert_eq!(set("max"), "max");
         assert_eq!(set("1-t"), "1\u{2009}−\u{2009}<tspan class=\"i\">t</tspan>");
         assert_eq!(set("-t"), "−<tspan class=\"i\">t</tspan>");
+        assert_eq!(set("1 \\le 2"), "1\u{2009}≤\u{2009}2");
         assert_eq!(set("(-1, 2)"), "(−1,\u{2009}2)");
         assert_eq!(
             set("at $t<1$"),

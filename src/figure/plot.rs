@@ -381,8 +381,19 @@ impl Plot {
         }
     }
 
-    /// Checks what only the whole picture shows: positions on logarithmic axes.
+    /// Checks what only the whole picture shows: panels of handles, and positions on logarithmic axes.
     pub(super) fn check(&self) -> Result<(), FigureError> {
+        for handle in &self.handles {
+            let Some(panel) = &handle.panel else { continue };
+            if self.panels.iter().all(|known| known.name != *panel) {
+                return Err(FigureError::UnknownPanel {
+                    figure: self.id.clone(),
+                    name: handle.parameter.clone(),
+                    panel: panel.clone(),
+                    known: known(self.panels.iter().map(|panel| panel.name.as_str())),
+                });
+            }
+        }
         for panel in &self.panels {
             for item in &panel.items {
                 for place in item.shape.extent() {

@@ -16,7 +16,7 @@ use super::clip::Rect;
 use super::label::{CAPTION_SIZE, LEADING, Label, SIZE, block, escape};
 use super::layout::{self, Laid, WIDTH};
 use super::placement::{self, Placed, Request};
-use super::plot::{Frame, Plot};
+use super::plot::{Frame, HandlePlace, Plot};
 use super::shape::{Item, Looks, Shape, Side};
 use super::style::{Look, Marker, PointStyle, base_rules};
 use super::ticks;
@@ -30,6 +30,8 @@ pub struct Picture {
     pub size: [f64; 2],
     /// The coordinate systems of the panels.
     pub frames: Vec<Frame>,
+    /// Where in the picture the handles are, in the order of [`Plot::handles`].
+    pub handles: Vec<[f64; 2]>,
     /// The estimated boxes of all text: left, top, right, bottom, with the source of each.
     pub labels: Vec<(String, [f64; 4])>,
 }
@@ -79,9 +81,20 @@ pub(super) fn picture(plot: &Plot) -> Picture {
             .replace("</text><", "</text>\n<"),
     );
     svg.push_str("\n</svg>\n");
+    let shown = |handle: &HandlePlace| {
+        let own = |laid: &&Laid<'_>| {
+            handle
+                .panel
+                .as_ref()
+                .is_none_or(|name| laid.panel.name == *name)
+        };
+        let laid = panels.iter().find(own)?;
+        Some(laid.frame.to_picture(laid.panel.on_axes(&handle.place)))
+    };
     Picture {
         svg,
         size: [WIDTH, height],
+        handles: plot.handles.iter().filter_map(shown).collect(),
         frames: panels.into_iter().map(|laid| laid.frame).collect(),
         labels: texts
             .into_iter()

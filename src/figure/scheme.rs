@@ -34,6 +34,7 @@ pub struct Scheme {
     triangle: bool,
     weights: Option<(String, String)>,
     highlighted: Vec<((usize, usize), usize)>,
+    headed: bool,
 }
 
 impl Scheme {
@@ -47,6 +48,7 @@ impl Scheme {
             triangle,
             weights: None,
             highlighted: vec![],
+            headed: false,
         }
     }
 
@@ -59,6 +61,28 @@ impl Scheme {
     /// A table, column by column.
     pub fn table<S: Into<String>>(columns: impl IntoIterator<Item = Vec<S>>) -> Self {
         Scheme::new(columns, false)
+    }
+
+    /// Draws a line below the first row, which holds the headings: `NAME.rule`.
+    ///
+    /// ```
+    /// use cagd::figure::{Figure, Scheme};
+    ///
+    /// let figure = Figure::new("demo", "A table", "Two columns with headings.").draw(|_, canvas| {
+    ///     canvas.scheme("table", &Scheme::table([vec!["k", "0", "1"], vec!["4^k", "1", "4"]]).headed());
+    ///     Ok(())
+    /// });
+    /// let plot = figure.plot(&figure.defaults())?;
+    /// let [from, to] = plot.segment("table.rule")?;
+    /// assert!(from[1] == to[1] && from[1] < 0.0, "level, below the first row");
+    /// # Ok::<(), cagd::figure::BoxError>(())
+    /// ```
+    #[must_use]
+    pub fn headed(self) -> Self {
+        Scheme {
+            headed: true,
+            ..self
+        }
     }
 
     /// Labels for the arrows of a triangle: those that go down (from the upper neighbour) and those that go up.
@@ -85,7 +109,11 @@ impl Scheme {
             .flatten()
             .map(|entry| block(entry, SIZE)[1])
             .fold(LEADING * SIZE, f64::max);
-        let row = (tallest + 16.0).max(if self.triangle { 46.0 } else { 26.0 });
+        let row = if self.triangle {
+            (tallest + 16.0).max(46.0)
+        } else {
+            tallest + 9.0
+        };
         let room = if self.triangle {
             ARROW_ROOM
         } else {
@@ -147,6 +175,10 @@ impl Scheme {
             }
             before = Some((x, half));
             x += half;
+        }
+        if self.headed {
+            let ends = [[-4.0, -0.5 * row], [x + 4.0, -0.5 * row]];
+            canvas.segment(&format!("{name}.rule"), ends[0], ends[1], Style::Connector);
         }
     }
 }

@@ -149,6 +149,11 @@ fn mistakes_in_a_drawing_are_reported() {
         double.svg(),
         Err(FigureError::DuplicateParameter { .. })
     ));
+    let elsewhere = segment().handle_in("hodograph", "q", [0.0, 0.0]);
+    assert!(matches!(
+        elsewhere.svg(),
+        Err(FigureError::UnknownPanel { .. })
+    ));
     let failing = figure(|_, _| Err("no such curve".into()));
     assert!(matches!(failing.svg(), Err(FigureError::Drawing { .. })));
 }
@@ -215,6 +220,8 @@ fn handles_are_where_their_points_are_drawn() -> Result<(), BoxError> {
             "{name}: {found}, expected {expected}"
         );
     }
+    assert_eq!(picture.handles.len(), plot.handles().len());
+    assert_eq!(picture.handles[2], [x, y], "after the two points of b");
     let back = frame.to_world([x, y]);
     // Two products and two quotients each way on numbers of at most 1000.
     assert!((back[0] - p.place[0]).abs() < 1e-12 && (back[1] - p.place[1]).abs() < 1e-12);
