@@ -1,11 +1,16 @@
 //! Figures of the section on the shape of Bézier curves.
 
-use crate::affine::{BoundingBox, ConvexHull};
-use crate::bezier::BezierCurve;
-use crate::figure::{Figure, Style};
+use crate::affine::{Affine, AffineMap, BoundingBox, ConvexHull, Line};
+use crate::bezier::{BezierCurve, PlaneCurve, Root, RootKind, sign_changes};
+use crate::figure::{Figure, PointStyle, Side, Style};
 
 pub(super) fn all() -> Vec<Figure> {
-    vec![figure_convex_hull()]
+    vec![
+        figure_affine_invariance(),
+        figure_convex_hull(),
+        line_intersections(),
+        variation_diminishing(),
+    ]
 }
 
 /// A quartic in the convex hull of its control points, and in their bounding box.
@@ -38,4 +43,156 @@ pub fn figure_convex_hull() -> Figure {
         canvas.labels("b", curve.control_points());
         Ok(())
     })
+}
+
+/// A cubic and its image under an affine map; the image of a point is the point of the image.
+#[must_use]
+pub fn figure_affine_invariance() -> Figure {
+    Figure::new(
+        "bezier-figure-affine-invariance",
+        "A Bézier curve and its image under an affine map",
+        "On the left a cubic Bézier curve with its control polygon and a point at the parameter t. \
+         On the right, dashed, their images under an affine map: the control polygon is mapped, \
+         and its Bézier curve goes through the images of the points of the first curve.",
+    )
+    .handles("b", [[0.0, 0.0], [0.5, 2.5], [3.0, 3.0], [3.5, 0.5]])
+    .handle("a", [5.0, 0.0])
+    .slider("m_11", -1.5..=1.5, 0.8)
+    .slider("m_12", -1.5..=1.5, 0.6)
+    .slider("m_21", -1.5..=1.5, -0.3)
+    .slider("m_22", -1.5..=1.5, 1.1)
+    .slider("t", 0.0..=1.0, 0.4)
+    .draw(|values, canvas| {
+        let curve = BezierCurve::new(values.points("b")?)?;
+        let row = |i: usize| -> Result<[f64; 2], crate::figure::FigureError> {
+            Ok([
+                values.number(&format!("m_{i}1"))?,
+                values.number(&format!("m_{i}2"))?,
+            ])
+        };
+        let translation = values.point("a")?;
+        let map = AffineMap::new([row(1)?, row(2)?], [translation[0], translation[1]]);
+        let image = curve.mapped(&map)?;
+        let t = values.number("t")?;
+        canvas.polyline("polygon", curve.control_points(), Style::ControlPolygon);
+        canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
+        canvas.polyline(
+            "image polygon",
+            image.control_points(),
+            Style::SecondPolygon,
+        );
+        canvas.curve("image", 0.0..=1.0, |t| image.at(t), Style::SecondCurve);
+        canvas.point("b(t)", curve.at(t), PointStyle::OnCurve);
+        canvas.point("image of b(t)", map.point(&curve.at(t)), PointStyle::Result);
+        canvas.labels("b", curve.control_points());
+        canvas.label("b(t)", curve.at(t));
+        for (i, point) in image.control_points().iter().enumerate() {
+            canvas.label(&format!("\\alpha(b_{i})"), point);
+        }
+        canvas.label("\\alpha(b(t))", map.point(&curve.at(t)));
+        Ok(())
+    })
+}
+
+/// A cubic and a line through two points that can be dragged, with their intersections.
+#[must_use]
+pub fn line_intersections() -> Figure {
+    Figure::new(
+        "bezier-line-intersections",
+        "A cubic meets a line at most three times",
+        "A cubic Bézier curve in the shape of an S with its control polygon, and a line through two points. \
+         The intersections are marked by crosses; here there are three, and never are there more.",
+    )
+    .handles("b", [[0.0, 0.5], [4.0, 6.0], [3.0, -4.0], [7.0, 2.0]])
+    .handle("p", [0.3, 1.6])
+    .handle("q", [6.6, 0.2])
+    .draw(|values, canvas| {
+        let curve = BezierCurve::new(values.points("b")?)?;
+        let [p, q] = [values.point("p")?, values.point("q")?];
+        canvas.polyline("control polygon", curve.control_points(), Style::ControlPolygon);
+        canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
+        // Two points in one place have no line.
+        if let Ok(line) = Line::through(&p, &q) {
+            canvas.line("line", p, q, Style::Tangent);
+            let meetings = curve.line_intersections(&line)?;
+            let points = meetings.parameters().iter().map(|root| curve.at(root.parameter()));
+            canvas.points("intersections", points, PointStyle::Cross);
+        }
+        canvas.points("points of the line", [p, q], PointStyle::Guide);
+        canvas.labels("b", curve.control_points());
+        canvas.label("p", p);
+        canvas.label("q", q);
+        Ok(())
+    })
+}
+
+/// A curve of degree 5 crosses a line less often than its polygon.
+#[must_use]
+pub fn variation_diminishing() -> Figure {
+    Figure::new(
+        "bezier-variation-diminishing",
+        "The curve crosses a line at most as often as its polygon",
+        "A Bézier curve of degree 5 whose control polygon goes up and down, and a line through two points. \
+         The line crosses the polygon five times, at the solid dots, and the curve three times, at the crosses. \
+         A text gives both numbers.",
+    )
+    .handles(
+        "b",
+        [[0.0, 0.0], [1.0, 4.0], [2.8, -1.6], [4.2, 5.0], [6.0, -1.0], [7.0, 3.2]],
+    )
+    .handle("p", [-0.4, 1.0])
+    .handle("q", [7.4, 2.0])
+    .draw(|values, canvas| {
+        let curve = BezierCurve::new(values.points("b")?)?;
+        let [p, q] = [values.point("p")?, values.point("q")?];
+        canvas.polyline("control polygon", curve.control_points(), Style::ControlPolygon);
+        canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
+        // Two points in one place have no line.
+        if let Ok(line) = Line::through(&p, &q) {
+            canvas.line("line", p, q, Style::Tangent);
+            let meetings = curve.line_intersections(&line)?;
+            let crossings: Vec<_> = meetings.parameters().iter().filter(|root| crosses(root)).collect();
+            let on_curve = crossings.iter().map(|root| curve.at(root.parameter()));
+            canvas.points("crossings of the curve", on_curve, PointStyle::Cross);
+            canvas.points("crossings of the polygon", on_legs(&curve, &line)?, PointStyle::Level(1));
+            let function = curve.hyperplane_function(&line)?;
+            let numbers = format!(
+                "crossings of the polygon: {}\ncrossings of the curve: {}",
+                sign_changes(function.control_points()),
+                crossings.len()
+            );
+            canvas.text("crossings", &numbers, [-0.4, 4.9], Side::Right);
+        }
+        canvas.points("points of the line", [p, q], PointStyle::Guide);
+        canvas.labels("b", curve.control_points());
+        canvas.label("p", p);
+        canvas.label("q", q);
+        Ok(())
+    })
+}
+
+/// Whether the sign changes at a root inside the unit interval.
+fn crosses(root: &Root<f64>) -> bool {
+    let odd = match root.kind {
+        RootKind::Exactly(multiplicity) => multiplicity % 2 == 1,
+        RootKind::Odd => true,
+        RootKind::Possible => false,
+    };
+    odd && 0.0 < root.high && root.low < 1.0
+}
+
+/// Where the legs of the control polygon cross a line between their ends.
+fn on_legs(
+    curve: &PlaneCurve,
+    line: &Line<f64>,
+) -> Result<Vec<crate::affine::Point<f64, 2>>, crate::bezier::BezierError> {
+    let function = curve.hyperplane_function(line)?;
+    let legs = std::iter::zip(
+        function.control_points().windows(2),
+        curve.control_points().windows(2),
+    );
+    Ok(legs
+        .filter(|(values, _)| values[0].min(values[1]) < 0.0 && values[0].max(values[1]) > 0.0)
+        .map(|(values, ends)| ends[0].lerp(&ends[1], values[0] / (values[0] - values[1])))
+        .collect())
 }
