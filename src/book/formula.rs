@@ -68,7 +68,7 @@ impl Formulas {
             .converter
             .convert_with_local_state(latex, display)
             .map_err(|error| error.error_message())?;
-        Ok(hide_from_markdown(&repair(converted.mathml)))
+        Ok(hide_from_markdown(&repair(&lift_scripts(converted.mathml))))
     }
 }
 
@@ -76,9 +76,9 @@ impl Formulas {
 ///
 /// The dots of `\dot` and `\ddot` are lost when they are marked as accents, and the combining arrow of `\vec` is not in
 /// the fonts; the plain arrow is.
-fn repair(mathml: String) -> String {
+fn repair(mathml: &str) -> String {
     let mut repaired = String::with_capacity(mathml.len());
-    let mut rest = mathml.as_str();
+    let mut rest = mathml;
     while let Some(at) = rest.find("<mover accent=\"true\">") {
         let (before, over) = rest.split_at(at);
         repaired.push_str(before);
@@ -97,6 +97,42 @@ fn repair(mathml: String) -> String {
     }
     repaired.push_str(rest);
     repaired.replace('\u{20d7}', "\u{2192}")
+}
+
+/// Gives back its size to a large parenthesis with an exponent, as in `\bigl(…\bigr)^n`.
+///
+/// Browsers do not stretch a sign that carries an exponent. So the sign comes before, and the exponent goes to an empty
+/// base of the same height.
+fn lift_scripts(mathml: String) -> String {
+    let mut lifted = String::with_capacity(mathml.len());
+    let mut rest = mathml.as_str();
+    while let Some(at) = rest.find("<mo minsize=\"") {
+        let (before, sign) = rest.split_at(at);
+        let script = ["<msup>", "<msub>", "<msubsup>"]
+            .into_iter()
+            .find(|script| before.ends_with(script));
+        let end = sign.find("</mo>").map(|end| end + "</mo>".len());
+        let size = sign
+            .split('"')
+            .nth(1)
+            .and_then(|size| size.strip_suffix("em"));
+        let (Some(script), Some(end), Some(Ok(size))) = (script, end, size.map(str::parse::<f64>))
+        else {
+            lifted.push_str(&rest[..at + 1]);
+            rest = &rest[at + 1..];
+            continue;
+        };
+        // Delimiters are centred on the axis of the formula, a quarter of an em above its base line.
+        let (height, depth) = (size / 2.0 + 0.25, size / 2.0 - 0.25);
+        lifted.push_str(&before[..before.len() - script.len()]);
+        lifted.push_str(&sign[..end]);
+        lifted.push_str(&format!(
+            "{script}<mspace width=\"0\" height=\"{height:.2}em\" depth=\"{depth:.2}em\"></mspace>"
+        ));
+        rest = &sign[end..];
+    }
+    lifted.push_str(rest);
+    lifted
 }
 
 /// Where the `<mover>` that opens the text ends.
@@ -188,6 +224,20 @@ mod tests {
             "{vec}"
         );
         let hat = formulas.mathml(r"\hat{x}", false).expect("it parses");
-        println!("{dot}\n{vec}\n{hat}");
+        assert!(
+            hat.contains("accent"),
+            "other accents stay as they are: {hat}"
+        );
+    }
+
+    #[test]
+    fn a_large_parenthesis_keeps_its_size_under_an_exponent() {
+        let mathml = Formulas::new()
+            .mathml(r"\bigl(t + x\bigr)^n", false)
+            .expect("it parses");
+        assert!(!mathml.contains("<msup><mo"), "{mathml}");
+        let sign = "<mo minsize=\"1.2em\" maxsize=\"1.2em\">)</mo>";
+        let script = "<msup><mspace width=\"0\" height=\"0.85em\" depth=\"0.35em\"></mspace><mi>n</mi></msup>";
+        assert!(mathml.contains(&format!("{sign}{script}")), "{mathml}");
     }
 }
