@@ -46,6 +46,11 @@ impl Expansion<'_> {
                 && first.offset == directive.span.start
                 && self.site.manuscript.pages[first.page].file == self.page.file
         });
+        let svg = if here {
+            svg
+        } else {
+            with_ids_of_its_own(&svg, id, directive.line)
+        };
         let anchor = if here {
             format!(" id=\"{}\"", figure_anchor(id))
         } else {
@@ -67,6 +72,18 @@ impl Expansion<'_> {
             "\n\n<figure class=\"drawing\"{anchor}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>\n</figure>\n\n"
         )
     }
+}
+
+/// The picture of a figure that is shown again: its ids open with the figure's, and each may exist once in a page.
+fn with_ids_of_its_own(svg: &str, id: &str, line: usize) -> String {
+    ["\"", " ", "#"]
+        .into_iter()
+        .fold(svg.to_owned(), |svg, before| {
+            svg.replace(
+                &format!("{before}{id}-"),
+                &format!("{before}{id}-again-{line}-"),
+            )
+        })
 }
 
 /// The anchor of a figure; a statement of the kind *figure* has the id itself.

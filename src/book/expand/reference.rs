@@ -23,7 +23,9 @@ impl Expansion<'_> {
                 )
             };
         }
-        if let Some(shown) = manuscript.figures.get(id) {
+        if let Some(shown) = manuscript.figures.get(id)
+            && self.site.registry.draws(id)
+        {
             let address = format!("{}#{}", self.site.address(shown.page), figure_anchor(id));
             let href = link(self.address, &address);
             return format!(

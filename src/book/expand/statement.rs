@@ -140,8 +140,17 @@ impl Expansion<'_> {
         let figure = block.figures.iter().find(|(_, line)| *line == place.line);
         let anchor = if block.proofs.iter().any(|proof| proof.line == place.line) {
             format!("{id}--proof")
-        } else if let Some((figure, _)) = figure {
-            figure_anchor(figure)
+        } else if let Some((figure, _)) = figure
+            && let Some(first) = self.site.manuscript.figures.get(figure)
+            && self.site.registry.draws(figure)
+        {
+            // A figure that is shown twice has its anchor where it stands first.
+            let address = format!(
+                "{}#{}",
+                self.site.address(first.page),
+                figure_anchor(figure)
+            );
+            return link(self.address, &address);
         } else if block
             .code
             .iter()
