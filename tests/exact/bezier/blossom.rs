@@ -183,3 +183,24 @@ fn segment() {
     rejects("not divided", law(mutants::segment_not_divided));
     rejects("reversed", law(mutants::segment_reversed));
 }
+
+/// Polynomials of degree n that agree at n + 1 parameters are equal; and there and back is where one was.
+#[test]
+fn a_curve_over_another_interval() {
+    for degree in 0..=MAX_GRID_DEGREE {
+        for curve in unit_curves_on(interval(1, 3), degree) {
+            let blossom = curve.blossom();
+            let other = blossom.curve_on(interval(-1, 2)).expect("rationals");
+            for k in 0..=degree as i64 {
+                assert_eq!(other.at(integer(k)), curve.at(integer(k)), "{curve}");
+            }
+            let back = other.blossom().curve_on(interval(1, 3));
+            assert_eq!(back, Ok(curve.clone()));
+            let from_blossom = BezierCurve::from_blossom(interval(1, 3), degree, |x| {
+                let scheme = blossom.scheme(x).expect("n arguments");
+                scheme.tip().clone()
+            });
+            assert_eq!(from_blossom, Ok(curve));
+        }
+    }
+}
