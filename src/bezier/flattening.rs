@@ -217,8 +217,8 @@ impl Budget {
 
     /// The end of a chord from `start` that nearly uses up the tolerance; `step` is a first guess.
     ///
-    /// A step of 1/(2N) is always fine: control points are at most n²/8·‖Δ²‖ from the chord,
-    /// which is at most twice Wang's bound n(n − 1)/8·‖Δ²‖ and a quarter of the step N needs a sixteenth of it.
+    /// A step of 1/(2N) is always fine: control points are at most n²/8·‖Δ²‖ from the chord, which is at most twice
+    /// Wang's bound n(n − 1)/8·‖Δ²‖, and half the step divides that bound by four.
     fn farthest<P: Affine<Scalar = f64>>(&self, points: &[P], start: f64, step: f64) -> f64 {
         let sure = (start + 0.5 / self.uniform_chords as f64).min(1.0);
         if points.len() < 3 {
@@ -226,7 +226,7 @@ impl Budget {
         }
         let (mut good, mut bad) = (sure, f64::INFINITY);
         let mut trial = (start + step).clamp(sure, 1.0);
-        // A step between the two bounds is halved or better each time, so 60 trials are never used up.
+        // A few trials are enough as a rule; after any number of them `good` keeps the tolerance.
         for _ in 0..60 {
             let share = self.distance_squared(points, start, trial) / self.allowed_squared;
             if share <= 1.0 {

@@ -119,8 +119,8 @@ fn every_other(polyline: &Polyline<Point<f64, 2>>) -> Polyline<Point<f64, 2>> {
 
 /// Fewer chords than this are not possible: see the comments inside.
 fn fewest(curve: &Curve, tolerance: f64) -> usize {
-    // Any places on the curve would do; these stand about fifty to a chord, however fast the curve runs.
-    let fine = curve.flattened(tolerance / 2500.0).expect("a tolerance");
+    // Any places on the curve would do; these stand about thirty to a chord, however fast the curve runs.
+    let fine = curve.flattened(tolerance / 900.0).expect("a tolerance");
     let samples = fine.vertices;
     let last = samples.len() - 1;
     let fits = |from: usize, to: usize| {

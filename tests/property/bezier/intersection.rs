@@ -1,8 +1,9 @@
 //! Properties of the intersection algorithm, on curves whose intersections are planted.
 
 use cagd::affine::{Interval, Point};
-use cagd::bezier::intersection::{IntersectionError, Kind, Meeting};
+use cagd::bezier::intersection::{IntersectionError, Kind, Meeting, Range};
 use cagd::bezier::{BezierCurve, PlaneCurve, laws};
+use cagd::law::{Rounding, Sides};
 use proptest::prelude::*;
 
 use crate::generators::for_all;
@@ -111,6 +112,56 @@ fn graph_with(roots: &[f64]) -> (PlaneCurve, Vec<(f64, f64)>) {
     });
     let graph = BezierCurve::new(points).expect("finite points");
     (graph, roots.iter().map(|x| (*x, *x)).collect())
+}
+
+/// kurbo finds the intersections of a cubic and a line by solving for the roots; ours lie in boxes around them.
+///
+/// Near a touch kurbo's root of a nearly double zero is good to the root of its rounding, 10⁻⁷ or so; 10⁻⁵ is allowed.
+#[test]
+fn agrees_with_kurbo() {
+    use kurbo::{CubicBez, Line, ParamCurve, PathSeg};
+
+    let whole = || (-8i32..=8).prop_map(f64::from);
+    let places = prop::collection::vec([whole(), whole()], 6);
+    let law = |implementation: fn(&PlaneCurve, &PlaneCurve) -> Vec<Meeting>| {
+        for_all(places.clone(), |places| {
+            let (cubic, line) = (plane(&places[..4]), plane(&places[4..]));
+            let p = |k: usize| kurbo::Point::new(places[k][0], places[k][1]);
+            let segment = PathSeg::Cubic(CubicBez::new(p(0), p(1), p(2), p(3)));
+            let chord = Line::new(p(4), p(5));
+            let inside = |t: f64| 1e-5 < t && t < 1.0 - 1e-5;
+            let theirs: Vec<(f64, f64)> = segment
+                .intersect_line(chord)
+                .into_iter()
+                .filter(|hit| inside(hit.segment_t) && inside(hit.line_t))
+                // A line along which the cubic runs gives parameters at which they do not meet.
+                .filter(|hit| segment.eval(hit.segment_t).distance(chord.eval(hit.line_t)) < 1e-9)
+                .map(|hit| (hit.segment_t, hit.line_t))
+                .collect();
+            let found = implementation(&cubic, &line);
+            let away = theirs.iter().map(|&(s, t)| {
+                let distance = |range: &Range, x: f64| (range.low() - x).max(x - range.high());
+                found
+                    .iter()
+                    .map(|meeting| distance(&meeting.first, s).max(distance(&meeting.second, t)))
+                    .fold(f64::INFINITY, f64::min)
+            });
+            let name = format!("{cubic} and {line}");
+            let away: Vec<f64> = away.collect();
+            let allowed = vec![1e-5; away.len()];
+            Sides::new(name)
+                .at_most(
+                    "each of their roots is in a box",
+                    away,
+                    allowed,
+                    Rounding::none(),
+                )
+                .equal("the input is read", [0.0], [0.0], Rounding::none())
+        })
+    };
+    holds(law(mutants::intersections));
+    rejects("second curve backwards", law(mutants::second_reversed));
+    rejects("only the first", law(mutants::first_only));
 }
 
 fn plane(points: &[[f64; 2]]) -> PlaneCurve {
