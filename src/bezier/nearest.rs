@@ -186,6 +186,9 @@ struct Search<const D: usize> {
 #[derive(Debug, Clone)]
 struct Piece<const D: usize> {
     offsets: Vec<Vector<f64, D>>,
+    /// The control vectors of the hodograph divided by the degree, on the piece. Their rounding is relative to those
+    /// of the whole curve; the legs of a short piece, computed as differences, would be lost in the rounding of its points.
+    tangents: Vec<Vector<f64, D>>,
     low: f64,
     high: f64,
 }
@@ -218,7 +221,7 @@ impl<const D: usize> Search<D> {
             * self.largest
     }
 
-    /// The error of a Bernstein coefficient of ⟨b − p, Δb⟩: a leg has the error of two points.
+    /// The error of a Bernstein coefficient of ⟨b − p, b′⟩/n: a tangent is at most twice as large as a point.
     fn slope_error(&self) -> f64 {
         4.0 * self.square_error()
     }
@@ -272,8 +275,10 @@ impl<const D: usize> Search<D> {
         for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
             self.best = self.best.min(self.distance(t));
         }
+        let pairs = self.offsets.windows(2);
         let mut stack = vec![Piece {
             offsets: self.offsets.clone(),
+            tangents: pairs.map(|pair| pair[1] - pair[0]).collect(),
             low: 0.0,
             high: 1.0,
         }];
@@ -326,7 +331,7 @@ impl<const D: usize> Search<D> {
 
     /// The shape of the squared distance on a piece, as far as it is certain.
     fn shape(&self, piece: &Piece<D>) -> Shape {
-        let slopes = bernstein_inner_product(&piece.offsets, &piece.legs());
+        let slopes = bernstein_inner_product(&piece.offsets, &piece.tangents);
         let error = self.slope_error();
         if slopes.is_empty() {
             return Shape::Unknown;
@@ -447,29 +452,40 @@ impl<const D: usize> Piece<D> {
         distances.fold(f64::INFINITY, f64::min)
     }
 
-    /// The two halves, by the algorithm of de Casteljau at ½.
+    /// The two halves.
     fn halves(&self) -> (Self, Self) {
-        let mut right = self.offsets.clone();
-        let mut left = Vec::with_capacity(right.len());
-        for level in (1..=right.len()).rev() {
-            left.push(right[0]);
-            for i in 1..level {
-                right[i - 1] = (right[i - 1] + right[i]) * 0.5;
-            }
-        }
         let middle = 0.5 * (self.low + self.high);
+        let (left, right) = halves(&self.offsets);
+        let (left_tangents, right_tangents) = halves(&self.tangents);
         let left = Self {
             offsets: left,
+            tangents: left_tangents,
             low: self.low,
             high: middle,
         };
         let right = Self {
             offsets: right,
+            tangents: right_tangents,
             low: middle,
             high: self.high,
         };
         (left, right)
     }
+}
+
+/// The control vectors of both halves, by the algorithm of de Casteljau at ½.
+fn halves<const D: usize>(
+    vectors: &[Vector<f64, D>],
+) -> (Vec<Vector<f64, D>>, Vec<Vector<f64, D>>) {
+    let mut right = vectors.to_vec();
+    let mut left = Vec::with_capacity(right.len());
+    for level in (1..=right.len()).rev() {
+        left.push(right[0]);
+        for i in 1..level {
+            right[i - 1] = (right[i - 1] + right[i]) * 0.5;
+        }
+    }
+    (left, right)
 }
 
 /// Why the nearest points are not known.

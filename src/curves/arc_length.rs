@@ -24,7 +24,8 @@ pub enum Certainty {
     /// The error is a bound, rounding included.
     Guaranteed,
     /// The error is an estimate: for a curve of which only points and derivatives are known, something
-    /// may happen between the parameters that were looked at.
+    /// may happen between the parameters that were looked at. Where the speed has a zero, the estimate may be
+    /// a few times too small.
     Estimated,
 }
 

@@ -4,4 +4,5 @@
 mod support;
 
 mod bezier;
+mod curves;
 mod generators;

@@ -9,6 +9,7 @@ mod derivatives;
 mod elevation;
 mod flattening;
 mod intersection;
+mod measures;
 mod representation;
 mod shape;
 mod subdivision;
