@@ -6,6 +6,7 @@ mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;
+mod derivatives;
 mod elevation;
 mod representation;
 mod shape;
@@ -22,6 +23,7 @@ pub fn all() -> Vec<Computed> {
         blossom::ALL,
         bounds::ALL,
         de_casteljau::ALL,
+        derivatives::ALL,
         elevation::ALL,
         representation::ALL,
         shape::ALL,
