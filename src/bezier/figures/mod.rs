@@ -4,6 +4,7 @@ mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;
+mod derivatives;
 mod elevation;
 mod representation;
 mod shape;
@@ -13,6 +14,7 @@ pub use bernstein::*;
 pub use blossom::*;
 pub use bounds::*;
 pub use de_casteljau::*;
+pub use derivatives::*;
 pub use elevation::*;
 pub use representation::*;
 pub use shape::*;
@@ -28,6 +30,7 @@ pub fn all() -> Vec<Figure> {
         blossom::all(),
         bounds::all(),
         de_casteljau::all(),
+        derivatives::all(),
         elevation::all(),
         representation::all(),
         shape::all(),

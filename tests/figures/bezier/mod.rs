@@ -4,6 +4,7 @@ mod bernstein;
 mod blossom;
 mod bounds;
 mod de_casteljau;
+mod derivatives;
 mod elevation;
 mod representation;
 mod shape;
