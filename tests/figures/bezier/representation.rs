@@ -36,7 +36,7 @@ fn de_casteljau_path_counting() {
                 )?;
             }
         }
-        ensure(count(3, 0)? == binomial(3, 1), || {
+        ensure(count(3, 0)? == binomial::<f64>(3, 1), || {
             "the tip has a wrong number".into()
         })
     })
