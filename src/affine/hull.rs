@@ -181,3 +181,68 @@ fn left_to_right<T: Orient>(p: &Point<T, 2>, q: &Point<T, 2>) -> Ordering {
     let compare = |k: usize| p[k].partial_cmp(&q[k]).unwrap_or(Ordering::Equal);
     compare(0).then_with(|| compare(1))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::BigRational;
+
+    /// Carathéodory: a point is in the convex hull of others exactly if three of them, not
+    /// necessarily different, span a triangle that contains it.
+    fn in_a_triangle(point: &Point<f64, 2>, others: &[Point<f64, 2>]) -> bool {
+        let between = |x: f64, y: f64, z: f64| x.min(z) <= y && y <= x.max(z);
+        let on_segment = |a: &Point<f64, 2>, b: &Point<f64, 2>| {
+            f64::turn(a, point, b) == Turn::Straight
+                && (0..2).all(|k| between(a[k], point[k], b[k]))
+        };
+        let turns = |a, b, c| [(a, b), (b, c), (c, a)].map(|(p, q)| f64::turn(p, q, point));
+        others.iter().any(|a| {
+            others.iter().any(|b| {
+                on_segment(a, b)
+                    || others.iter().any(|c| {
+                        let turns = turns(a, b, c);
+                        turns == [Turn::Left; 3] || turns == [Turn::Right; 3]
+                    })
+            })
+        })
+    }
+
+    /// Many small sets of points of a grid, so that they repeat and are collinear often.
+    #[test]
+    fn vertices_are_the_points_that_the_others_do_not_span() {
+        for set in 0..400_u32 {
+            let count = 1 + set % 7;
+            let points: Vec<_> = (0..count)
+                .map(|i| {
+                    let scattered = (set * 7 + i).wrapping_mul(2_654_435_761) >> 20;
+                    Point::new([f64::from(scattered % 4), f64::from(scattered / 4 % 4)])
+                })
+                .collect();
+            let hull = ConvexHull::of(&points).expect("finite points");
+            for point in &points {
+                let others: Vec<_> = points.iter().copied().filter(|p| p != point).collect();
+                let is_vertex = hull.vertices().contains(point);
+                assert_eq!(
+                    is_vertex,
+                    !in_a_triangle(point, &others),
+                    "{point} of {points:?}"
+                );
+            }
+            for probe in 0..25 {
+                let probe = Point::new([f64::from(probe % 5) - 0.5, f64::from(probe / 5) - 0.5]);
+                assert_eq!(
+                    hull.contains(&probe),
+                    in_a_triangle(&probe, &points),
+                    "{probe} in {points:?}"
+                );
+            }
+            assert!(hull.cost().turns <= 4 * points.len());
+            let exact_points: Vec<Point<BigRational, 2>> = points
+                .iter()
+                .map(|point| point.map(|x| crate::scalar::exact(x).expect("finite")))
+                .collect();
+            let exact_hull = ConvexHull::of(&exact_points).expect("exact points");
+            assert_eq!(exact_hull.vertices().len(), hull.vertices().len());
+        }
+    }
+}

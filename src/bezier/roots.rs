@@ -406,3 +406,73 @@ fn halving_error<T: OrderedScalar>(polynomial: &BezierCurve<T>) -> f64 {
     2.0 * n * UNIT_ROUNDOFF * largest(polynomial.control_points()) * (1.0 + n * UNIT_ROUNDOFF)
         + n * f64::MIN_POSITIVE
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> BezierCurve<f64> {
+        BezierCurve::new(values).expect("finite control values")
+    }
+
+    fn kinds(roots: &Roots<f64>) -> Vec<RootKind> {
+        roots.isolated().iter().map(|root| root.kind).collect()
+    }
+
+    #[test]
+    fn a_rounded_double_root_is_possible_and_a_triple_one_is_odd() {
+        let double = polynomial([0.25, -0.25, 0.25]).roots();
+        assert_eq!(kinds(&double), [RootKind::Possible]);
+        assert!(double.isolated()[0].contains(&0.5));
+        let triple = polynomial([-0.125, 0.125, -0.125, 0.125]).roots();
+        assert_eq!(kinds(&triple), [RootKind::Odd]);
+        assert!(triple.isolated()[0].contains(&0.5));
+    }
+
+    /// (t − 1/2)² ± 2⁻⁴⁰: no root, or two at the distance 2⁻¹⁹.
+    #[test]
+    fn neighbouring_roots_are_told_from_none() {
+        let small = libm::exp2(-40.0);
+        let near = |shift: f64| polynomial([0.25 + shift, -0.25 + shift, 0.25 + shift]).roots();
+        assert_eq!(kinds(&near(small)), []);
+        assert_eq!(kinds(&near(-small)), [RootKind::Exactly(1); 2]);
+    }
+
+    /// Without work left, what is unsettled is still reported.
+    #[test]
+    fn no_root_is_lost_when_the_work_is_used_up() {
+        let search = RootSearch {
+            halvings: 1,
+            ..RootSearch::default()
+        };
+        let values = polynomial([-0.125, 0.125, -0.125, 0.125]);
+        let roots = search.run(&values);
+        assert_eq!(kinds(&roots), [RootKind::Odd]);
+        assert!(roots.isolated()[0].contains(&0.5));
+    }
+
+    #[test]
+    fn sizes_do_not_matter() {
+        for scale in [1e-300, 1e-150, 1.0, 1e150, 1e300] {
+            let roots = polynomial([-scale, scale, -scale, 3.0 * scale]).roots();
+            assert!(
+                kinds(&roots)
+                    .iter()
+                    .all(|kind| *kind == RootKind::Exactly(1)),
+                "{scale}"
+            );
+            assert!(!roots.isolated().is_empty(), "{scale}");
+        }
+        let constant = polynomial([1e-300]).roots();
+        assert_eq!(kinds(&constant), []);
+    }
+
+    #[test]
+    fn a_domain_that_runs_backwards() {
+        let domain = crate::affine::Interval::new(4.0, 0.0).expect("two different ends");
+        let values = BezierCurve::on(domain, [-1.0, 3.0]).expect("finite control values");
+        let roots = values.roots();
+        assert_eq!(kinds(&roots), [RootKind::Exactly(1)]);
+        assert!(roots.isolated()[0].contains(&3.0));
+    }
+}
