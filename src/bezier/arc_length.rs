@@ -14,8 +14,8 @@ use crate::curves::range;
 use crate::curves::{ArcLength, ArcLengthError, Certainty, Rectifiable};
 use crate::law::gamma;
 
-/// How many times a piece is halved at most: 2¹² pieces, enough for 60 halvings towards each of 60 cusps.
-const MAX_HALVINGS: usize = 4096;
+/// How many pieces there are at most: enough for 60 halvings towards each of 60 cusps.
+const MAX_PIECES: usize = 4096;
 
 impl<const D: usize> BezierCurve<Point<f64, D>> {
     /// The arc length, with a guaranteed error of at most `tolerance`.
@@ -178,7 +178,7 @@ fn length_of<const D: usize>(
             .into_iter()
             .filter(|&k| pieces[k].error >= share && pieces[k].error > 0.0)
             .collect();
-        if halve.is_empty() || pieces.len() + halve.len() > MAX_HALVINGS {
+        if halve.is_empty() || pieces.len() + halve.len() > MAX_PIECES {
             return Err(ArcLengthError::NotReached {
                 tolerance,
                 value,
