@@ -70,37 +70,30 @@ impl Workbook {
         for page in &manuscript.pages {
             lint::check(page, &mut errors);
         }
-        let (evidence, laws) = std::thread::scope(|scope| {
-            let evidence = scope.spawn(|| AllEvidence::find(root, &catalogue, &manuscript));
-            let laws = Laws::find(root);
-            (evidence.join(), laws)
-        });
-        let evidence = evidence.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        let evidence = evidence.unwrap_or_else(|e| {
-            errors.extend(e.iter().cloned());
-            AllEvidence::default()
-        });
+        let laws = Laws::find(root);
         let site = Site::new(
             root,
             &catalogue,
             &data,
             &manuscript,
             &self.registry,
-            &evidence,
             &laws,
             errors,
         );
-        let expanded = in_parallel(manuscript.pages.len(), |index| {
-            let page = &manuscript.pages[index];
-            let address = site.address(index);
-            let expansion = Expansion {
-                site: &site,
-                page,
-                address: &address,
-                repeated: false,
-                line: None,
-            };
-            expansion.expand(0..page.text.len())
+        let expanded = std::thread::scope(|scope| {
+            scope.spawn(|| find_evidence(&site));
+            in_parallel(manuscript.pages.len(), |index| {
+                let page = &manuscript.pages[index];
+                let address = site.address(index);
+                let expansion = Expansion {
+                    site: &site,
+                    page,
+                    address: &address,
+                    repeated: false,
+                    line: None,
+                };
+                expansion.expand(0..page.text.len())
+            })
         });
         let generated = generate(&site);
         BookErrors::none_of(site.into_errors())?;
@@ -110,6 +103,27 @@ impl Workbook {
         book.items
             .extend(generated.into_iter().map(|page| chapter(page, &[])));
         Ok(())
+    }
+}
+
+/// Looks up the evidence, for which the expansions wait.
+fn find_evidence(site: &Site<'_>) {
+    let find = || AllEvidence::find(site.root, site.catalogue, site.manuscript);
+    let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(find));
+    let (evidence, panic) = match found {
+        Ok(Ok(evidence)) => (evidence, None),
+        Ok(Err(errors)) => {
+            for error in errors.iter() {
+                site.report(error.clone());
+            }
+            (AllEvidence::default(), None)
+        }
+        Err(panic) => (AllEvidence::default(), Some(panic)),
+    };
+    // Whatever happens, nobody waits for ever.
+    site.evidence.get_or_init(|| evidence);
+    if let Some(panic) = panic {
+        std::panic::resume_unwind(panic);
     }
 }
 

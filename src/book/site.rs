@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path};
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 use super::catalogue::{Catalogue, Statement};
 use super::data::Data;
@@ -21,7 +21,8 @@ pub(crate) struct Site<'a> {
     pub(crate) data: &'a Data,
     pub(crate) manuscript: &'a Manuscript,
     pub(crate) registry: &'a Registry,
-    pub(crate) evidence: &'a AllEvidence,
+    /// The evidence, once another thread has found it.
+    pub(crate) evidence: OnceLock<AllEvidence>,
     pub(crate) laws: &'a Laws,
     pub(crate) formulas: Formulas,
     pub(crate) listings: Listings,
@@ -42,7 +43,6 @@ impl<'a> Site<'a> {
         data: &'a Data,
         manuscript: &'a Manuscript,
         registry: &'a Registry,
-        evidence: &'a AllEvidence,
         laws: &'a Laws,
         errors: Vec<BookError>,
     ) -> Self {
@@ -52,7 +52,7 @@ impl<'a> Site<'a> {
             data,
             manuscript,
             registry,
-            evidence,
+            evidence: OnceLock::new(),
             laws,
             formulas: Formulas::new(),
             listings: Listings::default(),

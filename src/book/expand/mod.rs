@@ -35,15 +35,17 @@ pub(crate) struct Expansion<'a> {
 impl Expansion<'_> {
     /// The bytes `range` of the page, expanded.
     pub(crate) fn expand(&self, range: Range<usize>) -> String {
+        let inside = |span: &Range<usize>| range.start <= span.start && span.end <= range.end;
         let mut edits = Vec::new();
-        for directive in &self.page.directives {
-            edits.push((directive.span.clone(), self.directive(directive)));
-        }
-        for formula in &self.page.formulas {
+        // Formulas first: the evidence that the statements wait for is still being looked up.
+        for formula in self.page.formulas.iter().filter(|f| inside(&f.span)) {
             edits.push((formula.span.clone(), self.formula(formula)));
         }
+        for directive in self.page.directives.iter().filter(|d| inside(&d.span)) {
+            edits.push((directive.span.clone(), self.directive(directive)));
+        }
         self.code_anchors(&mut edits);
-        edits.retain(|(span, _)| range.start <= span.start && span.end <= range.end);
+        edits.retain(|(span, _)| inside(span));
         edits.sort_by_key(|(span, _)| (span.start, span.end));
         let mut expanded = String::with_capacity(2 * range.len());
         let mut at = range.start;

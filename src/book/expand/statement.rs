@@ -99,7 +99,7 @@ impl Expansion<'_> {
 
     /// The evidence found for a statement, by kind.
     fn evidence(&self, id: &str) -> Vec<(Need, &[Place])> {
-        let Some(evidence) = self.site.evidence.get(id) else {
+        let Some(evidence) = self.site.evidence.wait().get(id) else {
             return Vec::new();
         };
         Need::ALL
