@@ -158,15 +158,25 @@ fn to_bezier(form: &MonomialCurve<BigRational>, interval: Interval<BigRational>)
 fn every_polynomial_curve() {
     type ToBezier = fn(&MonomialCurve<BigRational>, Interval<BigRational>) -> Curve;
     let law = |implementation: ToBezier| {
-        let inputs = (0..=MAX_DEGREE).flat_map(|n| {
-            (0..=n).flat_map(move |k| {
-                let coefficient = move |j: usize| integer(i64::from(j == k));
-                let form =
-                    MonomialCurve::on(interval(1, 3), coefficient(0), (1..=n).map(coefficient));
-                let form = form.expect("finite coefficients");
-                (0..=n as i64).map(move |u| (form.clone(), interval(2, 7), integer(u)))
-            })
-        });
+        // Whole numbers up to the highest degree; intervals that bring fractions show the maps of the
+        // parameters, for which a few degrees are enough.
+        let whole = (interval(0, 1), interval(1, 2), MAX_DEGREE);
+        let fractions = (interval(1, 3), interval(2, 7), 5);
+        let inputs = [whole, fractions]
+            .into_iter()
+            .flat_map(|(from, to, highest)| {
+                (0..=highest).flat_map(move |n| {
+                    let (from, to) = (from.clone(), to.clone());
+                    (0..=n).flat_map(move |k| {
+                        let coefficient = move |j: usize| integer(i64::from(j == k));
+                        let vectors = (1..=n).map(coefficient);
+                        let form = MonomialCurve::on(from.clone(), coefficient(0), vectors);
+                        let form = form.expect("finite coefficients");
+                        let to = to.clone();
+                        (0..=n as i64).map(move |u| (form.clone(), to.clone(), integer(u)))
+                    })
+                })
+            });
         for_each(inputs, |(form, interval, u)| {
             laws::every_polynomial_curve(implementation, form, interval.clone(), u.clone())
         })
