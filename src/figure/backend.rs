@@ -299,8 +299,8 @@ impl DrawingBackend for SvgBackend {
         sheet.body.push_str("\" y=\"");
         hundredths(&mut sheet.body, pos.1);
         sheet.body.push('"');
-        if look.class == "caption" {
-            sheet.body.push_str(" class=\"caption\"");
+        if !look.class.is_empty() {
+            let _ = write!(sheet.body, " class=\"{}\"", look.class);
         }
         sheet.body.push_str(match style.anchor().h_pos {
             HPos::Left => ">",

@@ -85,7 +85,13 @@ pub(super) fn layout(plot: &Plot) -> (Vec<Laid<'_>>, f64) {
             }
         });
         let height = most(|s| s.height);
-        let legend = most(|s| s.legend_rows as f64 * LEGEND);
+        let legend = most(|s| {
+            if s.legend_rows > 0 {
+                s.legend_rows as f64 * LEGEND + 3.0
+            } else {
+                0.0
+            }
+        });
         for (k, sketch) in sketches.into_iter().enumerate() {
             let left = k as f64 * (width + GAP);
             laid.push(sketch.placed(left, top + caption, height));
@@ -242,7 +248,7 @@ fn legend(panel: &Panel, width: f64) -> (Vec<(usize, [f64; 2])>, usize) {
             x = PADDING;
             row += 1;
         }
-        entries.push((i, [x, row as f64 * LEGEND + 14.0]));
+        entries.push((i, [x, row as f64 * LEGEND + 17.0]));
         x += needed + APART;
     }
     let rows = if entries.is_empty() { 0 } else { row + 1 };

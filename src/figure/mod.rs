@@ -31,9 +31,12 @@ mod error;
     reason = "the type Figure lives in the file of its name"
 )]
 mod figure;
+mod glyph;
 mod label;
 mod layout;
+mod palette;
 mod parameter;
+mod pen;
 mod place;
 mod placement;
 mod plot;
@@ -46,13 +49,14 @@ mod ticks;
 pub use canvas::Canvas;
 pub use error::{BoxError, FigureError, PlotError};
 pub use figure::Figure;
+pub use palette::PAGE_CSS;
 pub use parameter::{Parameter, ParameterKind, Value, Values};
 pub use place::{Place, Position, midpoint};
 pub use plot::{Frame, HandlePlace, Plot};
 pub use render::Picture;
 pub use scheme::Scheme;
 pub use shape::{Axes, Side, Window};
-pub use style::{PAGE_CSS, PointStyle, Style};
+pub use style::{PointStyle, Style};
 
 /// A number with at most `digits` decimals, without trailing zeros and without a negative zero.
 ///

@@ -1,24 +1,20 @@
 //! From a plot to SVG, by way of plotters.
 
-use std::cell::RefCell;
-use std::convert::Infallible;
 use std::rc::Rc;
 
-use plotters::coord::Shift;
-use plotters::coord::types::RangedCoordf64;
-use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Polygon, Text};
-use plotters::prelude::{Cartesian2d, DrawingAreaErrorKind};
+use plotters::drawing::IntoDrawingArea;
+use plotters::element::{PathElement, Polygon};
 use plotters::style::text_anchor::HPos;
 
-use super::backend::{PIXELS, Sheet, SvgBackend};
+use super::backend::{PIXELS, SvgBackend};
 use super::clip::Rect;
 use super::label::{CAPTION_SIZE, LEADING, Label, SIZE, block, escape};
 use super::layout::{self, Laid, WIDTH};
+use super::pen::{Drawn, Ground, Pen, World, pixel};
 use super::placement::{self, Placed, Request};
 use super::plot::{Frame, HandlePlace, Plot};
 use super::shape::{Item, Looks, Shape, Side};
-use super::style::{Look, Marker, PointStyle, base_rules};
+use super::style::{Look, base_rules};
 use super::ticks;
 
 /// A drawn figure, with what a page needs to lay handles over it.
@@ -35,10 +31,6 @@ pub struct Picture {
     /// The estimated boxes of all text: left, top, right, bottom, with the source of each.
     pub labels: Vec<(String, [f64; 4])>,
 }
-
-type Area<C> = DrawingArea<SvgBackend, C>;
-type World = Cartesian2d<RangedCoordf64, RangedCoordf64>;
-type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
 
 /// Draws everything, and puts the document around it.
 pub(super) fn picture(plot: &Plot) -> Picture {
@@ -103,39 +95,18 @@ pub(super) fn picture(plot: &Plot) -> Picture {
     }
 }
 
-/// Draws on the sheet and remembers where text stands.
-struct Pen {
-    root: Area<Shift>,
-    sheet: Rc<RefCell<Sheet>>,
-    texts: Vec<(String, Rect)>,
-    requests: Vec<(Request, String, f64)>,
-}
-
-/// A panel with its coordinate system.
-struct Ground<'a> {
-    laid: &'a Laid<'a>,
-    area: Area<World>,
-    clip: Rect,
-}
-
-impl Ground<'_> {
-    fn axes(&self, place: &super::place::Place) -> [f64; 2] {
-        self.laid.panel.on_axes(place)
+/// How much smaller the markers of a polyline are, so that many vertices do not hide it.
+///
+/// Full size for up to 7 vertices, or while they are on average five radii apart; never below 0.4 of it.
+fn crowding(vertices: &[[f64; 2]], radius: f64) -> f64 {
+    let lengths = vertices
+        .windows(2)
+        .map(|pair| libm::hypot(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]));
+    let average = lengths.sum::<f64>() / vertices.len().saturating_sub(1).max(1) as f64;
+    if vertices.len() < 8 {
+        return 1.0;
     }
-
-    /// From the units of the axes to those of the picture.
-    fn units(&self, at: [f64; 2]) -> [f64; 2] {
-        let (x, y) = self.area.map_coordinate(&(at[0], at[1]));
-        [f64::from(x) / PIXELS, f64::from(y) / PIXELS]
-    }
-}
-
-fn pixel(units: [f64; 2]) -> (i32, i32) {
-    // A cast of a float saturates.
-    (
-        (units[0] * PIXELS).round() as i32,
-        (units[1] * PIXELS).round() as i32,
-    )
+    (average / (5.0 * radius)).clamp(0.4, 1.0)
 }
 
 impl Pen {
@@ -181,9 +152,16 @@ impl Pen {
                 if let (Shape::Polyline { points }, Some(dots), 3) =
                     (&item.shape, style.vertices(), layer)
                 {
-                    points
+                    let vertices: Vec<[f64; 2]> = points
                         .iter()
-                        .try_for_each(|p| self.marker(ground, ground.axes(p), dots))?;
+                        .map(|p| ground.units(ground.axes(p)))
+                        .collect();
+                    let size = crowding(&vertices, dots.radius());
+                    for (point, vertex) in points.iter().zip(vertices) {
+                        if ground.clip.contains(ground.axes(point)) {
+                            self.mark(vertex, dots, size)?;
+                        }
+                    }
                 }
                 Ok(())
             }
@@ -227,123 +205,6 @@ impl Pen {
             | Shape::Points { .. }
             | Shape::Label { .. }
             | Shape::Text { .. } => Ok(()),
-        }
-    }
-
-    fn path(&mut self, ground: &Ground<'_>, points: &[[f64; 2]], look: Look) -> Drawn {
-        let ink = self.sheet.borrow_mut().ink(look);
-        for piece in ground.clip.polyline(points) {
-            let piece: Vec<(f64, f64)> = piece.into_iter().map(|[x, y]| (x, y)).collect();
-            ground.area.draw(&PathElement::new(piece, ink))?;
-        }
-        Ok(())
-    }
-
-    fn polygon(&mut self, ground: &Ground<'_>, vertices: &[[f64; 2]], look: Look) -> Drawn {
-        let inside = ground.clip.polygon(vertices);
-        if inside.len() < 2 {
-            return Ok(());
-        }
-        let ink = self.sheet.borrow_mut().ink(look);
-        let inside: Vec<(f64, f64)> = inside.into_iter().map(|[x, y]| (x, y)).collect();
-        ground.area.draw(&Polygon::new(inside, ink))
-    }
-
-    fn circle(&mut self, ground: &Ground<'_>, centre: &[f64], radius: f64, look: Look) -> Drawn {
-        /// Chords of a circle that is cut off by its panel, or distorted by its axes.
-        const CHORDS: usize = 180;
-        let (x, y) = (centre[0], centre[1]);
-        let whole = Rect {
-            low: [x - radius, y - radius],
-            high: [x + radius, y + radius],
-        };
-        let across = ground.units([x + radius, y])[0] - ground.units([x, y])[0];
-        let up = ground.units([x, y])[1] - ground.units([x, y + radius])[1];
-        if ground.clip.contains_rect(&whole) && (across - up).abs() < 0.05 {
-            let at = pixel(ground.units([x, y]));
-            let ink = self.sheet.borrow_mut().ink(look);
-            return self
-                .root
-                .draw(&Circle::new(at, (across * PIXELS).round() as i32, ink));
-        }
-        let around: Vec<[f64; 2]> = (0..=CHORDS)
-            .map(|k| std::f64::consts::TAU * (k % CHORDS) as f64 / CHORDS as f64)
-            .map(|angle| [x + radius * libm::cos(angle), y + radius * libm::sin(angle)])
-            .collect();
-        if look.layer == 2 {
-            self.path(ground, &around, look)
-        } else {
-            self.polygon(ground, &around, look)
-        }
-    }
-
-    fn arrow(&mut self, ground: &Ground<'_>, from: [f64; 2], to: [f64; 2], look: Look) -> Drawn {
-        /// Length and half width of an arrow's head, in units of the picture.
-        const HEAD: [f64; 2] = [9.0, 3.6];
-        let (a, b) = (ground.units(from), ground.units(to));
-        let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
-        if length == 0.0 {
-            return Ok(());
-        }
-        let (dx, dy) = ((b[0] - a[0]) / length, (b[1] - a[1]) / length);
-        // The head of a short arrow is smaller, so that the arrow keeps its length.
-        let [long, half] = HEAD.map(|size| size * (length / (1.4 * HEAD[0])).min(1.0));
-        let base = [b[0] - long * dx, b[1] - long * dy];
-        let shaft = 1.0 - long / length;
-        let end = [
-            from[0] + (to[0] - from[0]) * shaft,
-            from[1] + (to[1] - from[1]) * shaft,
-        ];
-        let head = Look::head(&look);
-        self.path(ground, &[from, end], look)?;
-        if !ground.clip.contains(to) {
-            return Ok(());
-        }
-        let corners = [
-            b,
-            [base[0] - half * dy, base[1] + half * dx],
-            [base[0] + half * dy, base[1] - half * dx],
-        ]
-        .map(pixel);
-        let ink = self.sheet.borrow_mut().ink(head);
-        self.root.draw(&Polygon::new(corners.to_vec(), ink))
-    }
-
-    fn marker(&mut self, ground: &Ground<'_>, at: [f64; 2], style: PointStyle) -> Drawn {
-        if !ground.clip.contains(at) {
-            return Ok(());
-        }
-        self.mark(ground.units(at), style)
-    }
-
-    fn mark(&mut self, at: [f64; 2], style: PointStyle) -> Drawn {
-        let [x, y] = at;
-        let r = style.radius();
-        self.sheet.borrow_mut().markers.push(Rect {
-            low: [x - r, y - r],
-            high: [x + r, y + r],
-        });
-        let ink = self.sheet.borrow_mut().ink(style.look());
-        let polygon = |corners: &[[f64; 2]]| {
-            let corners: Vec<(i32, i32)> = corners
-                .iter()
-                .map(|[dx, dy]| pixel([x + r * dx, y + r * dy]))
-                .collect();
-            self.root.draw(&Polygon::new(corners, ink))
-        };
-        match style.marker() {
-            Marker::Circle => {
-                self.root
-                    .draw(&Circle::new(pixel(at), (r * PIXELS).round() as i32, ink))
-            }
-            // Sides and corners are chosen so that all markers have about the same area.
-            Marker::Square => polygon(&[[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]]),
-            Marker::Diamond => polygon(&[[0.0, -1.3], [1.3, 0.0], [0.0, 1.3], [-1.3, 0.0]]),
-            Marker::Triangle => polygon(&[[0.0, -1.3], [1.2, 0.8], [-1.2, 0.8]]),
-            Marker::Cross => [-1.0, 1.0].iter().try_for_each(|s| {
-                let ends = [pixel([x - r, y - s * r]), pixel([x + r, y + s * r])];
-                self.root.draw(&PathElement::new(ends.to_vec(), ink))
-            }),
         }
     }
 
@@ -420,10 +281,10 @@ impl Pen {
                             .draw(&PathElement::new(ends.map(pixel).to_vec(), ink))?;
                     }
                     if let Some(dots) = style.vertices() {
-                        self.mark([x + 13.0, y - 5.0], dots)?;
+                        self.mark([x + 13.0, y - 5.0], dots, 1.0)?;
                     }
                 }
-                Looks::Dot(style) => self.mark([x + 13.0, y - 5.0], *style)?,
+                Looks::Dot(style) => self.mark([x + 13.0, y - 5.0], *style, 1.0)?,
                 Looks::Text | Looks::SmallText => {}
             }
             self.text(text, SIZE, [x + 34.0, y], HPos::Left)?;
@@ -534,30 +395,5 @@ impl Pen {
             self.text(text, *size, [x, baseline], anchor)?;
         }
         Ok(())
-    }
-
-    fn text(&mut self, text: &str, size: f64, at: [f64; 2], anchor: HPos) -> Drawn {
-        let Ok(label) = Label::read(text, size) else {
-            return Ok(());
-        };
-        let extent = label.extent();
-        let left = match anchor {
-            HPos::Left => at[0],
-            HPos::Center => at[0] - 0.5 * extent.width,
-            HPos::Right => at[0] - extent.width,
-        };
-        let rect = Rect {
-            low: [left, at[1] - extent.ascent],
-            high: [left + extent.width, at[1] + extent.descent],
-        };
-        self.texts.push((text.into(), rect));
-        let look = if size < SIZE {
-            Look::caption()
-        } else {
-            Look::label()
-        };
-        let style = self.sheet.borrow_mut().type_style(look, size, anchor);
-        self.root
-            .draw(&Text::new(text.to_owned(), pixel(at), style))
     }
 }

@@ -110,7 +110,7 @@ impl Scheme {
             .map(|entry| block(entry, SIZE)[1])
             .fold(LEADING * SIZE, f64::max);
         let row = if self.triangle {
-            (tallest + 16.0).max(46.0)
+            (tallest + 20.0).max(46.0)
         } else {
             tallest + 9.0
         };

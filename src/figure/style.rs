@@ -1,18 +1,16 @@
 //! The visual language of the book: what a line or a point means decides how it looks.
 //!
-//! Colours are those of Okabe and Ito, darkened for paper and lightened for dark themes until lines have a
-//! contrast of at least 3 : 1. Colour is never the only cue: every pair of styles that can meet in one figure
-//! differs in width, dash or marker as well.
+//! Colour is never the only cue: every pair of styles that can meet in one figure differs in width, dash or
+//! marker as well.
 //!
 //! A colour is a CSS variable with a fallback, `var(--fig-curve, #0072b2)`, so that a page's theme decides and a
-//! picture looked at alone is right too. [`PAGE_CSS`] sets the variables for mdBook's themes.
+//! picture looked at alone is right too. [`PAGE_CSS`](super::PAGE_CSS) sets the variables for mdBook's themes.
 
 use std::fmt::Write;
 
-/// Style sheet of a page: sets the colours of the figures for each of mdBook's themes.
-///
-/// Include it once a page; the figures carry all their other rules.
-pub const PAGE_CSS: &str = include_str!("../../book/theme/figure.css");
+use super::palette::{
+    ACCENT, CURVE, Colour, GUIDE, LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4, PAPER, POLYGON, REGION, TEXT,
+};
 
 /// How a line, a polygon or a region looks: by its role, never by a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -75,36 +73,6 @@ pub(super) enum Marker {
     Triangle,
     Cross,
 }
-
-/// A colour of the palette: its CSS variable, on paper, on dark ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Colour {
-    name: &'static str,
-    light: &'static str,
-    dark: &'static str,
-}
-
-const fn colour(name: &'static str, light: &'static str, dark: &'static str) -> Colour {
-    Colour { name, light, dark }
-}
-
-const PAPER: Colour = colour("paper", "#ffffff", "#14171c");
-const TEXT: Colour = colour("text", "#1c2026", "#e4e7eb");
-const CURVE: Colour = colour("curve", "#0072b2", "#5ab7ef");
-const POLYGON: Colour = colour("polygon", "#66707c", "#98a2b0");
-const ACCENT: Colour = colour("accent", "#d04e00", "#ff8f52");
-const LEVEL_1: Colour = colour("level-1", "#b27700", "#ecb02e");
-const LEVEL_2: Colour = colour("level-2", "#007a5c", "#2fc79b");
-const LEVEL_3: Colour = colour("level-3", "#a2478a", "#e093c3");
-const LEVEL_4: Colour = colour("level-4", "#75482b", "#c9a27c");
-const GUIDE: Colour = colour("guide", "#858e99", "#78828f");
-const REGION: Colour = colour("region", "#56b4e9", "#56b4e9");
-
-/// All colours, for the page's style sheet and its test.
-#[cfg(test)]
-const PALETTE: [Colour; 11] = [
-    PAPER, TEXT, CURVE, POLYGON, ACCENT, LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4, GUIDE, REGION,
-];
 
 /// Everything that can be drawn has one of these looks; plotters knows it by its number.
 #[derive(Debug, Clone, PartialEq)]
@@ -184,24 +152,22 @@ impl Look {
         }
     }
 
-    /// Text.
-    pub(super) fn label() -> Self {
+    /// The text of labels, or of ticks and captions; with a halo where a line runs through it.
+    pub(super) fn text(small: bool, halo: bool) -> Self {
+        let class = match (small, halo) {
+            (false, false) => "",
+            (false, true) => "halo",
+            (true, false) => "caption",
+            (true, true) => "caption halo",
+        };
         Look {
-            class: "label".into(),
+            class: class.into(),
             stroke: None,
             fill: None,
             width: 0.0,
             dash: "",
             weight: 0.0,
             layer: 4,
-        }
-    }
-
-    /// The text of ticks and captions.
-    pub(super) fn caption() -> Self {
-        Look {
-            class: "caption".into(),
-            ..Look::label()
         }
     }
 
@@ -285,12 +251,12 @@ pub(super) fn base_rules() -> String {
     format!(
         ".cagd:root{{color:{ink};background:{paper}}}\
          .cagd{{stroke-linejoin:round;stroke-linecap:round}}\
-         .cagd text{{fill:currentColor;font:{size}px {FONTS};font-family:var(--fig-font,{FONTS});\
-         stroke:{paper};stroke:var(--fig-paper,{paper});stroke-width:3px;paint-order:stroke}}\
+         .cagd text{{fill:currentColor;font:{size}px {FONTS};font-family:var(--fig-font,{FONTS})}}\
+         .cagd .halo{{stroke:{paper};stroke:var(--fig-paper,{paper});stroke-width:3px;paint-order:stroke}}\
          .cagd .caption{{font-size:{caption}px}}\
          .cagd .i{{font-style:italic}}\
          @media(prefers-color-scheme:dark){{.cagd:root{{color:{chalk};background:{night}}}\
-         .cagd text{{stroke:{night};stroke:var(--fig-paper,{night})}}}}",
+         .cagd .halo{{stroke:{night};stroke:var(--fig-paper,{night})}}}}",
         size = super::label::SIZE,
         caption = super::label::CAPTION_SIZE,
     )
@@ -394,67 +360,6 @@ impl PointStyle {
             PointStyle::Level(_) => 4.0,
             PointStyle::Guide => 3.0,
             PointStyle::Cross => 4.5,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn luminance(hex: &str) -> f64 {
-        let channel = |i: usize| {
-            let c = f64::from(u8::from_str_radix(&hex[i..i + 2], 16).expect("a colour")) / 255.0;
-            if c <= 0.03928 {
-                c / 12.92
-            } else {
-                libm::pow((c + 0.055) / 1.055, 2.4)
-            }
-        };
-        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
-    }
-
-    fn contrast(a: &str, b: &str) -> f64 {
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
-
-    #[test]
-    fn every_line_stands_out_from_its_ground() {
-        for colour in PALETTE
-            .iter()
-            .filter(|c| !["paper", "region"].contains(&c.name))
-        {
-            for (line, ground) in [(colour.light, PAPER.light), (colour.dark, PAPER.dark)] {
-                // WCAG 2.2, criterion 1.4.11: graphical objects need 3 : 1.
-                let found = contrast(line, ground);
-                assert!(
-                    found >= 3.0,
-                    "--fig-{}: {line} on {ground} is {found:.2} : 1",
-                    colour.name
-                );
-            }
-        }
-        assert!(
-            contrast("#fafafa", PAPER.light) < 3.0,
-            "the measure can refuse"
-        );
-    }
-
-    #[test]
-    fn the_page_defines_every_colour_in_both_themes() {
-        for Colour { name, light, dark } in PALETTE
-            .iter()
-            .filter(|c| !["paper", "text"].contains(&c.name))
-        {
-            assert!(
-                PAGE_CSS.contains(&format!("--fig-{name}: {light};")),
-                "--fig-{name} on paper"
-            );
-            assert!(
-                PAGE_CSS.contains(&format!("--fig-{name}: {dark};")),
-                "--fig-{name} on dark ground"
-            );
         }
     }
 }
