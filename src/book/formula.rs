@@ -68,7 +68,9 @@ impl Formulas {
             .converter
             .convert_with_local_state(latex, display)
             .map_err(|error| error.error_message())?;
-        Ok(hide_from_markdown(&repair(&lift_scripts(converted.mathml))))
+        Ok(hide_from_markdown(&repair(&lower_primes(&lift_scripts(
+            converted.mathml,
+        )))))
     }
 }
 
@@ -135,6 +137,36 @@ fn lift_scripts(mathml: String) -> String {
     lifted
 }
 
+/// Takes primes out of the exponent: f′ and f″.
+///
+/// The sign ′ is high and small by itself; as an exponent, browsers raise and shrink it once more.
+fn lower_primes(mathml: &str) -> String {
+    const OPEN: &str = "<msup>";
+    const CLOSE: &str = "</msup>";
+    let mut lowered = mathml.to_owned();
+    for prime in ['\u{2032}', '\u{2033}', '\u{2034}'] {
+        let exponent = format!("<mo>{prime}</mo>{CLOSE}");
+        while let Some(end) = lowered.find(&exponent) {
+            // The exponent belongs to the last `<msup>` before it that is not closed.
+            let mut unclosed = 1;
+            let mut start = end;
+            while unclosed > 0 {
+                let before = &lowered[..start];
+                let (open, close) = (before.rfind(OPEN), before.rfind(CLOSE));
+                let Some(tag) = open.max(close) else {
+                    return lowered;
+                };
+                unclosed += if close == Some(tag) { 1 } else { -1 };
+                start = tag;
+            }
+            let base = &lowered[start + OPEN.len()..end];
+            let row = format!("<mrow>{base}<mo lspace=\"0\" rspace=\"0\">{prime}</mo></mrow>");
+            lowered.replace_range(start..end + exponent.len(), &row);
+        }
+    }
+    lowered
+}
+
 /// Where the `<mover>` that opens the text ends.
 fn closing(text: &str) -> usize {
     let mut depth = 0;
@@ -180,6 +212,18 @@ fn hide_from_markdown(mathml: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn primes_stand_beside_their_letter() {
+        let row =
+            |base: &str| format!("<mrow>{base}<mo lspace=\"0\" rspace=\"0\">\u{2032}</mo></mrow>");
+        let power = "<msup><mi>x</mi><mn>2</mn></msup>";
+        let prime = |base: &str| format!("<msup>{base}<mo>\u{2032}</mo></msup>");
+        assert_eq!(lower_primes(&prime("<mi>b</mi>")), row("<mi>b</mi>"));
+        let nested = prime(&format!("<mrow>{power}</mrow>"));
+        assert_eq!(lower_primes(&nested), row(&format!("<mrow>{power}</mrow>")));
+        assert_eq!(lower_primes(power), power);
+    }
 
     #[test]
     fn the_commands_of_the_book_are_understood() {

@@ -33,10 +33,6 @@ pub(crate) struct Site<'a> {
 
 impl<'a> Site<'a> {
     /// The site with nothing linked yet; `errors` are those found so far.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "it gathers what the expansions share"
-    )]
     pub(crate) fn new(
         root: &'a Path,
         catalogue: &'a Catalogue,
