@@ -7,7 +7,7 @@ use crate::book::tex;
 use crate::scalar::{BigRational, OrderedScalar, Scalar};
 
 pub(super) const ALL: &[Computed] = &[
-    ("elevated_cubic", elevated_cubic),
+    ("elevated_parabola", elevated_cubic),
     ("corner_approximation", corner_approximation),
     ("far_control_points", far_control_points),
 ];
@@ -17,7 +17,7 @@ fn rational(n: i64) -> BigRational {
 }
 
 /// The parabola of (0,0), (2,4), (4,0), elevated twice.
-fn elevated_cubic() -> String {
+fn elevated_parabola() -> String {
     let points = [[0, 0], [2, 4], [4, 0]].map(|p| Point::new(p.map(rational)));
     let mut curve = BezierCurve::new(points).expect("three points");
     let mut table = String::from("| degree | control points |\n|---|---|\n");

@@ -110,7 +110,7 @@ pub fn figure_de_casteljau() -> Figure {
 pub fn parameter_range() -> Figure {
     Figure::new(
         "bezier-parameter-range",
-        "The curve beyond its control points",
+        "The curve beyond its parameter interval",
         "A cubic Bézier curve, solid for t in [0, 1] and dashed for t from −0.3 to 0 and from 1 to 1.3. \
          For the marked t outside [0, 1] every point of the construction lies on the prolongation of a segment, \
          which is drawn as a thin dashed line; the last of them lies on the dashed part of the curve.",
