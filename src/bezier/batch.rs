@@ -218,12 +218,18 @@ impl<const D: usize> Prepared<D> for Scaled<D> {
 
 /// Where the points of a block go.
 trait Output<const D: usize> {
+    /// Whether to hide the blocks from the compiler, which would else vectorise the loop over them once
+    /// more, with shuffles. Measured: arrays gain 45 %, interleaved points would lose 30 %.
+    const OPAQUE: bool;
+
     fn write(&mut self, start: usize, count: usize, block: &[[f64; BLOCK]; D]);
 }
 
 struct Interleaved<'a, const D: usize>(&'a mut [Point<f64, D>]);
 
 impl<const D: usize> Output<D> for Interleaved<'_, D> {
+    const OPAQUE: bool = false;
+
     #[inline(always)]
     fn write(&mut self, start: usize, count: usize, block: &[[f64; BLOCK]; D]) {
         let points = &mut self.0[start..start + count];
@@ -236,6 +242,8 @@ impl<const D: usize> Output<D> for Interleaved<'_, D> {
 struct Split<'a, const D: usize>([&'a mut [f64]; D]);
 
 impl<const D: usize> Output<D> for Split<'_, D> {
+    const OPAQUE: bool = true;
+
     #[inline(always)]
     fn write(&mut self, start: usize, count: usize, block: &[[f64; BLOCK]; D]) {
         for (array, values) in self.0.iter_mut().zip(block) {
@@ -281,7 +289,11 @@ impl<const D: usize, O: Output<D>> Batch<'_, D, O> {
         let (blocks, rest) = self.parameters.as_chunks();
         let mut start = 0;
         for block in blocks {
-            let mut t = *block;
+            let mut t = if O::OPAQUE {
+                *std::hint::black_box(block)
+            } else {
+                *block
+            };
             if !is_unit {
                 for t in &mut t {
                     *t = domain.local(*t);

@@ -7,7 +7,7 @@ use crate::book::tex;
 use crate::scalar::{BigRational, OrderedScalar, Scalar};
 
 pub(super) const ALL: &[Computed] = &[
-    ("elevated_parabola", elevated_cubic),
+    ("elevated_parabola", elevated_parabola),
     ("corner_approximation", corner_approximation),
     ("far_control_points", far_control_points),
 ];
