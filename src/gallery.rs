@@ -5,7 +5,7 @@ use crate::figure::Figure;
 /// All figures, chapter by chapter.
 #[must_use]
 pub fn all() -> Vec<Figure> {
-    [crate::bezier::figures::all()]
+    [crate::affine::figures::all(), crate::bezier::figures::all()]
         .into_iter()
         .flatten()
         .collect()

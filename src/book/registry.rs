@@ -32,8 +32,10 @@ pub struct Registry {
 impl Registry {
     /// The figures and computed texts of all chapters.
     pub fn of_all_chapters() -> Self {
-        use crate::bezier;
+        use crate::{affine, bezier};
         Self::default()
+            .with_figures(affine::figures::all())
+            .with_all_computed("affine", affine::computed::all())
             .with_figures(bezier::figures::all())
             .with_all_computed("bezier", bezier::computed::all())
     }

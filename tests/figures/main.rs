@@ -11,6 +11,7 @@
 //! To accept a new or a changed picture: `INSTA_UPDATE=always cargo test --test figures NAME`,
 //! then look at `snapshots/<chapter>/<id>.snap.svg` in a browser, light and dark, before you commit it.
 
+mod affine;
 mod bezier;
 mod every_figure;
 mod interface;

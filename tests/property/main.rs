@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod affine;
 mod bezier;
 mod curves;
 mod generators;

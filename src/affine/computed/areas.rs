@@ -1,0 +1,5 @@
+//! Worked numbers of areas.
+
+use super::Computed;
+
+pub(super) const ALL: &[Computed] = &[];

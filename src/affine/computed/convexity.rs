@@ -1,0 +1,5 @@
+//! Worked numbers of convexity.
+
+use super::Computed;
+
+pub(super) const ALL: &[Computed] = &[];

@@ -1,0 +1,8 @@
+//! The laws of the affine chapter, in its sections.
+
+mod areas;
+mod barycentric;
+mod combinations;
+mod convexity;
+mod maps;
+mod points_and_vectors;

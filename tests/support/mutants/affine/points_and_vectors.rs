@@ -1,0 +1,1 @@
+//! Mistakes with points and vectors.
