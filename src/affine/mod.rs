@@ -2,8 +2,11 @@
 //!
 //! Read in this order: [`point`] (positions and displacements), [`combination`] (which sums of points
 //! are points), [`interval`] (the parameter domain), [`barycentric`] (coordinates in a simplex),
-//! [`map`] (what keeps combinations), [`hyperplane`] (lines and planes),
-//! [`orientation`] (left or right of a line), [`hull`] (convexity), [`bounding_box`] (boxes along the axes);
+//! [`map`] (what keeps combinations), [`hyperplane`] (lines and planes), [`standard_maps`] (rotations, shears and
+//! their kind), [`projection`] (from a point: not affine), [`orientation`] (left or right of a line),
+//! [`hull`] (convexity), [`bounding_box`] (boxes along the axes), [`triangle`] (signed areas),
+//! [`polygon`] (simple polygons), [`lattice`] (polygons with whole coordinates), [`monte_carlo`](mod@monte_carlo)
+//! (areas by chance);
 //! the theorems are in [`laws`].
 
 pub mod barycentric;
@@ -13,9 +16,16 @@ mod elimination;
 pub mod hull;
 pub mod hyperplane;
 pub mod interval;
+pub mod lattice;
 pub mod map;
+pub mod monte_carlo;
 pub mod orientation;
 pub mod point;
+pub mod polygon;
+pub mod projection;
+mod segment;
+pub mod standard_maps;
+pub mod triangle;
 
 pub mod laws;
 
@@ -31,9 +41,15 @@ pub use combination::{Affine, CombinationError, Linear};
 pub use hull::{ConvexHull, HullCost, HullError};
 pub use hyperplane::{Hyperplane, HyperplaneError, Line};
 pub use interval::{Interval, IntervalError};
+pub use lattice::{LatticeCount, LatticePoint, LatticePolygon, LatticePolygonError};
 pub use map::{AffineMap, AffineMapError};
+pub use monte_carlo::{MonteCarloError, MonteCarloEstimate, UniformPoints, monte_carlo};
 pub use orientation::{Orient, Turn};
 pub use point::{Point, Vector};
+pub use polygon::{Location, PolygonError, SimplePolygon};
+pub use projection::{CentralProjection, CentralProjectionError};
+pub use standard_maps::ParallelProjectionError;
+pub use triangle::{plane_determinant, signed_area};
 
 /// The chapter's pages, so that `cargo test` runs each of their Rust blocks.
 #[cfg(doctest)]
