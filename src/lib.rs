@@ -9,6 +9,7 @@
 //! | [`affine`] | points, vectors, affine combinations and maps, intervals, convex hulls |
 //! | [`curves`] | what holds for any parametric curve: curvature, arc length, sampling |
 //! | [`bezier`] | Bézier curves: de Casteljau, Bernstein polynomials, blossoms, subdivision, bounds |
+//! | [`check`] | what the tests of an exercise are written with |
 //! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
 //! | `gallery` | every figure of every chapter, by id (feature `figures`) |
 //! | `book` | statements, directives, evidence and the mdBook preprocessor (feature `book`) |
@@ -22,6 +23,8 @@ pub mod affine;
 pub mod curves;
 
 pub mod bezier;
+
+pub mod check;
 
 #[cfg(feature = "figures")]
 pub mod figure;

@@ -219,6 +219,14 @@ pub enum Problem {
         /// What is wrong.
         reason: String,
     },
+    /// A file of an exercise is not what the schema asks for.
+    #[error("{found}; {remedy}")]
+    Exercise {
+        /// What was found.
+        found: String,
+        /// What to do.
+        remedy: String,
+    },
     /// mdBook could not load or render the book.
     #[error("mdBook says: {reason}")]
     MdBook {

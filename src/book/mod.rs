@@ -9,6 +9,7 @@
 //! | [`manuscript`] | all pages in reading order, and the numbers of what they state and show |
 //! | [`lint`] | what refuses code blocks that would pass unrun |
 //! | [`evidence`] | what shows that a statement holds, found in the sources |
+//! | [`exercise`] | exercises: their folders, and the schema that is checked |
 //! | [`coverage`] | what is shown for each statement, and what is missing |
 //! | [`laws`] | where the laws stand |
 //! | [`formula`] | LaTeX in, MathML out |
@@ -26,6 +27,7 @@ pub mod data;
 pub mod directive;
 pub mod error;
 pub mod evidence;
+pub mod exercise;
 mod expand;
 pub mod formula;
 pub mod laws;

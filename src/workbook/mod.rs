@@ -2,12 +2,18 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`checking`] | an answer is compiled, run and judged |
+//! | [`sandbox`] | running other people's programs |
 //! | [`command_line`] | the commands, their arguments and exit statuses |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`server`] | the book on a loopback address, with live reload |
 //! | [`watch`] | what to do when a source changes |
 
+#[cfg(unix)]
+pub mod checking;
 pub mod command_line;
 pub mod house;
+#[cfg(unix)]
+pub mod sandbox;
 pub mod server;
 pub mod watch;

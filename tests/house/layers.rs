@@ -44,10 +44,15 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
     match module.first().map(String::as_str) {
         Some("scalar") => vec![],
         Some("law") => vec!["scalar"],
+        Some("check") => vec!["scalar", "law", "affine"],
         // Every chapter draws with it, so it must not look into a chapter that comes after points and vectors.
         Some("figure") => vec!["scalar", "law", "affine"],
         Some("gallery") => [&["figure"], CHAPTERS.as_slice()].concat(),
-        Some("book") => [&["scalar", "law", "figure", "gallery"], CHAPTERS.as_slice()].concat(),
+        Some("book") => [
+            &["scalar", "law", "check", "figure", "gallery"],
+            CHAPTERS.as_slice(),
+        ]
+        .concat(),
         // Möbius geometry begins anew at affine geometry.
         Some("moebius") => mathematics(&["affine"]),
         Some(chapter) if CHAPTERS.contains(&chapter) => {
@@ -55,7 +60,9 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
             mathematics(&before.copied().collect::<Vec<_>>())
         }
         _ => [
-            &["scalar", "law", "figure", "gallery", "book", "workbook"],
+            &[
+                "scalar", "law", "check", "figure", "gallery", "book", "workbook",
+            ],
             CHAPTERS.as_slice(),
         ]
         .concat(),

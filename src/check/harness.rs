@@ -1,0 +1,131 @@
+//! Runs the tests of an exercise and tells the verdict over a channel of its own.
+//!
+//! The workbook writes a `main` behind the tests that calls [`main`]. The verdict goes through a Unix socket, which is
+//! opened before anything of the answer runs and is kept in a local variable: what the answer prints, or how it ends
+//! the program, cannot pass for a result.
+
+use std::cell::RefCell;
+use std::io::{self, Write};
+use std::os::unix::net::UnixStream;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo, catch_unwind};
+use std::process::ExitCode;
+
+use super::claim::take_last_finding;
+use super::report::{Failure, Message};
+
+/// The argument that asks for the probes.
+pub const PROBES: &str = "--probes";
+
+thread_local! {
+    /// Where the last panic of this thread happened, and its words.
+    static LAST_PANIC: RefCell<(String, String)> = const { RefCell::new((String::new(), String::new())) };
+}
+
+/// The entry point of a test program.
+///
+/// The first argument is the path of the socket, the others name the tests to run, in order; `--probes` stands for
+/// the probes.
+///
+/// # Panics
+///
+/// Never because of the answer; its panics are results.
+#[must_use]
+pub fn main(tests: &[(&str, fn())], probes: fn() -> Vec<String>) -> ExitCode {
+    let mut arguments = std::env::args().skip(1);
+    let Some(socket) = arguments.next() else {
+        eprintln!("this program is started by the workbook: `cargo run -- check`");
+        return ExitCode::from(2);
+    };
+    match UnixStream::connect(&socket).and_then(|channel| run(channel, arguments, tests, probes)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("the workbook does not listen at `{socket}`: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(
+    mut channel: UnixStream,
+    names: impl Iterator<Item = String>,
+    tests: &[(&str, fn())],
+    probes: fn() -> Vec<String>,
+) -> io::Result<()> {
+    let mut tell = |message: &Message| {
+        channel.write_all(message.to_line().as_bytes())?;
+        channel.write_all(b"\n")
+    };
+    for name in names {
+        // The answer may have set a hook of its own.
+        panic::set_hook(Box::new(remember));
+        if name == PROBES {
+            let values = catch_unwind(probes).unwrap_or_default();
+            tell(&Message::Probes(values))?;
+            continue;
+        }
+        let Some((_, test)) = tests.iter().find(|(known, _)| *known == name) else {
+            return Err(io::Error::other(format!("there is no test `{name}`")));
+        };
+        tell(&Message::Begin(name.clone()))?;
+        tell(&match judge(*test) {
+            Ok(()) => Message::Passed(name),
+            Err(failure) => Message::Failed(name, *failure),
+        })?;
+    }
+    tell(&Message::Done)
+}
+
+/// Runs one test.
+fn judge(test: fn()) -> Result<(), Box<Failure>> {
+    take_last_finding();
+    let Err(payload) = catch_unwind(AssertUnwindSafe(test)) else {
+        return Ok(());
+    };
+    // The payload, not the hook, has the words: a property test panics anew with the smallest input.
+    let message = payload
+        .downcast_ref::<String>()
+        .cloned()
+        .or_else(|| payload.downcast_ref::<&str>().map(|&text| text.to_owned()));
+    let (place, remembered) = LAST_PANIC.take();
+    let message = message.unwrap_or(remembered);
+    let mut finding = take_last_finding();
+    if let Some(finding) = &mut finding
+        && finding.input.is_empty()
+    {
+        finding.input = smallest_input(&message).unwrap_or_default();
+    }
+    Err(Box::new(Failure {
+        message,
+        place,
+        finding,
+    }))
+}
+
+/// Keeps the words and the place of a panic instead of printing them.
+fn remember(panic: &PanicHookInfo<'_>) {
+    let words = panic.payload_as_str().unwrap_or("a panic").to_owned();
+    let place = panic
+        .location()
+        .map(|location| format!("{}:{}", location.file(), location.line()))
+        .unwrap_or_default();
+    LAST_PANIC.set((place, words));
+}
+
+/// The input in the words of proptest's panic.
+fn smallest_input(message: &str) -> Option<String> {
+    let (_, rest) = message.split_once("minimal failing input: ")?;
+    let end = rest.find("\n\tsuccesses:").unwrap_or(rest.len());
+    Some(rest[..end].trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_input_is_read_from_proptest() {
+        let message = "Test failed: assertion failed.\nminimal failing input: t = 3, n = 2\n\tsuccesses: 4\n\tlocal rejects: 0\n";
+        assert_eq!(smallest_input(message).as_deref(), Some("t = 3, n = 2"));
+        assert_eq!(smallest_input("assertion failed"), None);
+    }
+}

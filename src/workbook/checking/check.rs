@@ -1,0 +1,163 @@
+//! All of a check, for one answer.
+
+use std::path::Path;
+use std::time::Instant;
+
+use super::CheckingError;
+use super::compile::{Program, Source, compile_answer, compile_tests};
+use super::library::Library;
+use super::misconception;
+use super::trial::{Results, run_probes, run_tests};
+use super::verdict::{Diagnostic, Outcome, TestOutcome, Verdict};
+use crate::book::exercise::{Exercise, Tested};
+use crate::workbook::sandbox::{Isolation, Limits};
+
+/// An answer to be checked.
+pub type Answer = Source;
+
+/// What checks answers: the compiled library and the way of keeping programs apart.
+#[derive(Debug, Clone)]
+pub struct Checker {
+    library: Library,
+    isolation: Isolation,
+    limits: Limits,
+}
+
+/// A program, or why there is none.
+#[derive(Debug)]
+pub enum Compiled {
+    /// It compiles; with the warnings about the answer.
+    Program(Program, Vec<Diagnostic>),
+    /// The answer does not compile, or not with the tests.
+    Refused(Vec<Diagnostic>),
+}
+
+impl Checker {
+    /// Builds the library of the workbook at `root` if that is needed.
+    ///
+    /// # Errors
+    ///
+    /// The library does not compile.
+    pub fn new(root: &Path, isolation: Isolation) -> Result<Self, CheckingError> {
+        Ok(Self {
+            library: Library::build(root)?,
+            isolation,
+            limits: Limits::answer(),
+        })
+    }
+
+    /// The compiled library.
+    pub fn library(&self) -> &Library {
+        &self.library
+    }
+
+    /// Compiles an answer with the tests of its exercise.
+    ///
+    /// # Errors
+    ///
+    /// The compiler does not start.
+    pub fn compile(
+        &self,
+        exercise: &Exercise,
+        tested: &Tested,
+        answer: &Answer,
+    ) -> Result<Compiled, CheckingError> {
+        let compiled = match compile_answer(&self.library, answer, self.isolation)? {
+            Ok(compiled) => compiled,
+            Err(diagnostics) => return Ok(Compiled::Refused(diagnostics)),
+        };
+        let warnings = compiled.diagnostics.clone();
+        let tests = Source {
+            shown_as: exercise.folder.join("tests.rs").display().to_string(),
+            text: tested.tests.program(),
+        };
+        Ok(
+            match compile_tests(&self.library, compiled, &tests, self.isolation)? {
+                Ok(program) => Compiled::Program(program, warnings),
+                Err(diagnostics) => Compiled::Refused(diagnostics),
+            },
+        )
+    }
+
+    /// Runs all tests of a compiled program.
+    ///
+    /// # Errors
+    ///
+    /// The program does not start.
+    pub fn run(
+        &self,
+        tested: &Tested,
+        program: &Program,
+        seed: u64,
+    ) -> Result<Results, CheckingError> {
+        let names: Vec<&str> = tested
+            .tests
+            .tests
+            .iter()
+            .map(|test| test.name.as_str())
+            .collect();
+        run_tests(program, &names, seed, &self.limits, self.isolation)
+    }
+
+    /// What an answer does on the probe inputs; `None` if it does not compile or ends the program.
+    ///
+    /// # Errors
+    ///
+    /// The compiler or the program does not start.
+    pub fn probes(
+        &self,
+        exercise: &Exercise,
+        tested: &Tested,
+        answer: &Answer,
+    ) -> Result<Option<Vec<String>>, CheckingError> {
+        match self.compile(exercise, tested, answer)? {
+            Compiled::Program(program, _) => run_probes(&program, &self.limits, self.isolation),
+            Compiled::Refused(_) => Ok(None),
+        }
+    }
+
+    /// Checks an answer.
+    ///
+    /// # Errors
+    ///
+    /// The compiler or the program does not start; what is wrong with the answer is part of the verdict.
+    pub fn check(
+        &self,
+        exercise: &Exercise,
+        tested: &Tested,
+        answer: &Answer,
+        seed: u64,
+    ) -> Result<Verdict, CheckingError> {
+        let start = Instant::now();
+        let verdict = |outcome, diagnostics, results: Results, misconception| Verdict {
+            exercise: exercise.name.clone(),
+            outcome,
+            diagnostics,
+            tests: results.tests,
+            misconception,
+            output: results.output,
+            seconds: start.elapsed().as_secs_f64(),
+        };
+        let (program, warnings) = match self.compile(exercise, tested, answer)? {
+            Compiled::Program(program, warnings) => (program, warnings),
+            Compiled::Refused(diagnostics) => {
+                return Ok(verdict(
+                    Outcome::DoesNotCompile,
+                    diagnostics,
+                    Results::default(),
+                    None,
+                ));
+            }
+        };
+        let results = self.run(tested, &program, seed)?;
+        let is_passed = |test: &super::verdict::TestResult| test.outcome == TestOutcome::Passed;
+        if results.tests.iter().all(is_passed) {
+            return Ok(verdict(Outcome::Passed, warnings, results, None));
+        }
+        let misconception = match run_probes(&program, &self.limits, self.isolation)? {
+            Some(found) => misconception::recognise(self, exercise, tested, &found)?,
+            None => None,
+        };
+        Ok(verdict(Outcome::Failed, warnings, results, misconception))
+    }
+}

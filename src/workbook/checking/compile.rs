@@ -1,0 +1,271 @@
+//! An answer and the tests of its exercise become a program.
+//!
+//! The answer is a crate of its own, so that it cannot see the tests, and the compiler refuses `unsafe` in it: without
+//! it no code of the answer runs before the tests begin, and none reaches into their memory.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{TokenStream, TokenTree};
+use serde_json::Value;
+
+use super::CheckingError;
+use super::library::Library;
+use super::trial::launch;
+use super::verdict::Diagnostic;
+use crate::workbook::sandbox::{Ending, Isolation, Job, Limits};
+
+/// A source with the name by which messages call it.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// The name in messages: the path of the reader's file.
+    pub shown_as: String,
+    /// The source itself.
+    pub text: String,
+}
+
+/// A compiled answer, in a folder of its own that ends with it.
+#[derive(Debug)]
+pub struct CompiledAnswer {
+    /// The folder; removed when this is dropped.
+    pub folder: tempfile::TempDir,
+    library: PathBuf,
+    /// The warnings.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A program that runs the tests of an exercise against one answer.
+#[derive(Debug)]
+pub struct Program {
+    /// The folder with everything; removed when this is dropped.
+    pub folder: tempfile::TempDir,
+    /// The program.
+    pub path: PathBuf,
+}
+
+/// Compiles an answer; the inner error is what the compiler says.
+///
+/// # Errors
+///
+/// The compiler does not start, or a file cannot be written.
+pub fn compile_answer(
+    library: &Library,
+    source: &Source,
+    isolation: Isolation,
+) -> Result<Result<CompiledAnswer, Vec<Diagnostic>>, CheckingError> {
+    if let Some(diagnostic) = forbidden(source) {
+        return Ok(Err(vec![diagnostic]));
+    }
+    let folder = new_folder(library)?;
+    let file = folder.path().join("answer.rs");
+    fs::write(&file, &source.text).map_err(|e| CheckingError::file(&file, &e))?;
+    let mut arguments = common(library, "answer", folder.path());
+    arguments.extend(
+        [
+            "--crate-type=rlib",
+            "-Funsafe_code",
+            "answer.rs",
+            "-o",
+            "libanswer.rlib",
+        ]
+        .map(OsString::from),
+    );
+    let said = rustc(library, folder.path(), arguments, isolation)?;
+    let diagnostics = said.diagnostics("answer.rs", &source.shown_as);
+    let compiled = folder.path().join("libanswer.rlib");
+    Ok(if said.succeeded && compiled.is_file() {
+        Ok(CompiledAnswer {
+            folder,
+            library: compiled,
+            diagnostics,
+        })
+    } else {
+        Err(if diagnostics.iter().any(|d| d.level == "error") {
+            diagnostics
+        } else {
+            vec![said.ended()]
+        })
+    })
+}
+
+/// Compiles the tests against a compiled answer; the inner error is what the compiler says.
+///
+/// # Errors
+///
+/// The compiler does not start, or a file cannot be written.
+pub fn compile_tests(
+    library: &Library,
+    answer: CompiledAnswer,
+    tests: &Source,
+    isolation: Isolation,
+) -> Result<Result<Program, Vec<Diagnostic>>, CheckingError> {
+    let folder = answer.folder;
+    let file = folder.path().join("tests.rs");
+    fs::write(&file, &tests.text).map_err(|e| CheckingError::file(&file, &e))?;
+    let mut arguments = common(library, "tests", folder.path());
+    let named = |name: &str, path: &Path| {
+        let mut argument = OsString::from(format!("--extern={name}="));
+        argument.push(path);
+        argument
+    };
+    arguments.push(named("answer", &answer.library));
+    arguments.push(named("proptest", &library.proptest));
+    arguments
+        .extend(["--crate-type=bin", "-Adead_code", "tests.rs", "-o", "tests"].map(OsString::from));
+    let said = rustc(library, folder.path(), arguments, isolation)?;
+    let path = folder.path().join("tests");
+    Ok(if said.succeeded && path.is_file() {
+        Ok(Program { folder, path })
+    } else {
+        let diagnostics = said.diagnostics("tests.rs", &tests.shown_as);
+        Err(if diagnostics.is_empty() {
+            vec![said.ended()]
+        } else {
+            diagnostics
+        })
+    })
+}
+
+/// A word that no answer may use, wherever it stands, so that no macro can smuggle it in.
+fn forbidden(source: &Source) -> Option<Diagnostic> {
+    let tokens: TokenStream = source.text.parse().ok()?;
+    let mut streams = vec![tokens];
+    while let Some(stream) = streams.pop() {
+        for token in stream {
+            match token {
+                TokenTree::Group(group) => streams.push(group.stream()),
+                TokenTree::Ident(word) if word == "unsafe" || word == "extern" => {
+                    let line = word.span().start().line;
+                    let message = format!("`{word}` is not allowed in an answer");
+                    return Some(Diagnostic {
+                        level: "error".into(),
+                        rendered: format!("error: {message}\n --> {}:{line}\n", source.shown_as),
+                        message,
+                        line: Some(line),
+                    });
+                }
+                _ => {}
+            }
+        }
+    }
+    None
+}
+
+/// A new folder below the work folder.
+fn new_folder(library: &Library) -> Result<tempfile::TempDir, CheckingError> {
+    fs::create_dir_all(&library.work)
+        .and_then(|()| {
+            tempfile::Builder::new()
+                .prefix("answer-")
+                .tempdir_in(&library.work)
+        })
+        .map_err(|e| CheckingError::file(&library.work, &e))
+}
+
+/// The arguments of every compilation.
+fn common(library: &Library, name: &str, folder: &Path) -> Vec<OsString> {
+    let mut arguments: Vec<OsString> = [
+        "--edition=2024",
+        "--error-format=json",
+        "-Cdebuginfo=0",
+        "-Cembed-bitcode=no",
+        "-Ccodegen-units=1",
+    ]
+    .map(OsString::from)
+    .into();
+    arguments.push(format!("--crate-name={name}").into());
+    let mut dependencies = OsString::from("-Ldependency=");
+    dependencies.push(&library.dependencies);
+    arguments.push(dependencies);
+    let mut own = OsString::from("-Ldependency=");
+    own.push(folder);
+    arguments.push(own);
+    let mut cagd = OsString::from("--extern=cagd=");
+    cagd.push(&library.cagd);
+    arguments.push(cagd);
+    arguments
+}
+
+/// What a compiler run gave.
+struct Said {
+    succeeded: bool,
+    ending: Ending,
+    stderr: String,
+}
+
+impl Said {
+    /// The diagnostics, with the file called as the reader knows it.
+    fn diagnostics(&self, file: &str, shown_as: &str) -> Vec<Diagnostic> {
+        self.stderr
+            .lines()
+            .filter_map(|line| serde_json::from_str::<Value>(line).ok())
+            .filter(|message| message["$message_type"] == "diagnostic")
+            // The last lines only count the errors.
+            .filter(|message| {
+                let text = message["message"].as_str().unwrap_or_default();
+                !text.starts_with("aborting due to")
+                    && !text.contains("warning emitted")
+                    && !text.contains("warnings emitted")
+            })
+            .filter(|message| {
+                ["error", "warning"]
+                    .iter()
+                    .any(|level| message["level"] == *level)
+            })
+            .map(|message| {
+                let primary = message["spans"]
+                    .as_array()
+                    .into_iter()
+                    .flatten()
+                    .find(|span| span["is_primary"] == true && span["file_name"] == file);
+                let text = |field: &str| message[field].as_str().unwrap_or_default().to_owned();
+                Diagnostic {
+                    level: text("level"),
+                    message: text("message"),
+                    line: primary
+                        .and_then(|span| span["line_start"].as_u64())
+                        .and_then(|line| usize::try_from(line).ok()),
+                    rendered: text("rendered")
+                        .replace(&format!("--> {file}:"), &format!("--> {shown_as}:")),
+                }
+            })
+            .collect()
+    }
+
+    /// The diagnostic of a compiler that ended without a word about the source.
+    fn ended(&self) -> Diagnostic {
+        let message = format!("the compiler {}", self.ending);
+        Diagnostic {
+            level: "error".into(),
+            rendered: format!("error: {message}\n{}", self.stderr),
+            message,
+            line: None,
+        }
+    }
+}
+
+/// Runs the compiler in a folder.
+fn rustc(
+    library: &Library,
+    folder: &Path,
+    arguments: Vec<OsString>,
+    isolation: Isolation,
+) -> Result<Said, CheckingError> {
+    let job = Job {
+        program: library.rustc.clone(),
+        arguments,
+        // The linker and the compiler's own helpers are found by it.
+        environment: vec![("PATH".into(), "/usr/local/bin:/usr/bin:/bin".into())],
+        scratch: folder.to_path_buf(),
+        readable: vec![library.sysroot.clone(), library.dependencies.clone()],
+        needs_system: true,
+        limits: Limits::compiler(),
+    };
+    let run = launch(&job, isolation)?;
+    Ok(Said {
+        succeeded: run.ending == Ending::Exited(0),
+        ending: run.ending,
+        stderr: String::from_utf8_lossy(&run.stderr).into_owned(),
+    })
+}

@@ -1,0 +1,230 @@
+//! The program runs, and tells its results over a channel of its own.
+
+use std::io::{BufRead, BufReader, Read};
+use std::os::unix::net::UnixListener;
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+use super::CheckingError;
+use super::compile::Program;
+use super::verdict::{PictureStroke, TestOutcome, TestResult};
+use crate::check::harness::PROBES;
+use crate::check::report::{Failure, Message};
+use crate::check::{Picture, Role};
+use crate::workbook::sandbox::{self, Isolation, Job, Limits, Run};
+
+/// What the tests of one program gave.
+#[derive(Debug, Clone, Default)]
+pub struct Results {
+    /// A result for each test that was asked for, in this order.
+    pub tests: Vec<TestResult>,
+    /// What the answer printed.
+    pub output: String,
+}
+
+/// How often a program that ended early is started anew for the tests that have no result yet.
+const RESTARTS: usize = 3;
+
+/// How many bytes of the channel are read from one run; a picture has a few kilobytes.
+const CHANNEL_LIMIT: u64 = 4 << 20;
+
+/// Runs these tests; each has a result in the end.
+///
+/// A test that ends the program, or that a limit ends, has failed; the others run again without it.
+///
+/// # Errors
+///
+/// The program does not start.
+pub fn run_tests(
+    program: &Program,
+    tests: &[&str],
+    seed: u64,
+    limits: &Limits,
+    isolation: Isolation,
+) -> Result<Results, CheckingError> {
+    let mut results: Vec<TestResult> = Vec::new();
+    let mut output = String::new();
+    for _ in 0..RESTARTS {
+        let open: Vec<&str> = tests
+            .iter()
+            .copied()
+            .filter(|test| !results.iter().any(|result| result.test == *test))
+            .collect();
+        if open.is_empty() {
+            break;
+        }
+        let (messages, run) = run_once(program, &open, seed, limits, isolation)?;
+        output.push_str(&String::from_utf8_lossy(&run.stdout));
+        output.push_str(&String::from_utf8_lossy(&run.stderr));
+        let mut begun = None;
+        for message in messages {
+            match message {
+                Message::Begin(test) => begun = Some(test),
+                // Only the test that has begun can have a result, and only once.
+                Message::Passed(test) if begun.take_if(|begun| *begun == test).is_some() => {
+                    results.push(result(test, TestOutcome::Passed, String::new()));
+                }
+                Message::Failed(test, failure)
+                    if begun.take_if(|begun| *begun == test).is_some() =>
+                {
+                    results.push(failed(test, failure));
+                }
+                _ => {}
+            }
+        }
+        match begun {
+            Some(test) => {
+                let message = format!("the program {}", run.ending);
+                results.push(result(test, TestOutcome::Ended, message));
+            }
+            // It ended between two tests, or before the first one: another start would do the same.
+            None => break,
+        }
+    }
+    let tests = tests.iter().map(|&test| {
+        let known = results.iter().find(|result| result.test == test).cloned();
+        known.unwrap_or_else(|| {
+            let message = "the program ended before this test had a result";
+            result(test.to_owned(), TestOutcome::NotRun, message.to_owned())
+        })
+    });
+    Ok(Results {
+        tests: tests.collect(),
+        output,
+    })
+}
+
+/// Runs the probes; `None` if the program ended without them.
+///
+/// # Errors
+///
+/// The program does not start.
+pub fn run_probes(
+    program: &Program,
+    limits: &Limits,
+    isolation: Isolation,
+) -> Result<Option<Vec<String>>, CheckingError> {
+    let (messages, _) = run_once(program, &[PROBES], 0, limits, isolation)?;
+    Ok(messages.into_iter().find_map(|message| match message {
+        Message::Probes(values) if !values.is_empty() => Some(values),
+        _ => None,
+    }))
+}
+
+/// Starts the program once and reads its channel to the end.
+fn run_once(
+    program: &Program,
+    names: &[&str],
+    seed: u64,
+    limits: &Limits,
+    isolation: Isolation,
+) -> Result<(Vec<Message>, Run), CheckingError> {
+    let scratch = program.folder.path();
+    let socket = scratch.join("channel");
+    let listener = UnixListener::bind(&socket).map_err(|e| CheckingError::file(&socket, &e))?;
+    listener
+        .set_nonblocking(true)
+        .map_err(|e| CheckingError::file(&socket, &e))?;
+    let (stop, stopped) = mpsc::channel::<()>();
+    let path = socket.clone();
+    let reader = thread::spawn(move || {
+        let deadline_passed = || !matches!(stopped.try_recv(), Err(mpsc::TryRecvError::Empty));
+        // The first to come is the harness, before any code of the answer; nobody else is let in.
+        let stream = loop {
+            match listener.accept() {
+                Ok((stream, _)) => break stream,
+                Err(_) if deadline_passed() => return Vec::new(),
+                Err(_) => thread::sleep(Duration::from_micros(300)),
+            }
+        };
+        drop(listener);
+        // The path leads nowhere any more, whether or not it is still there.
+        let _ = std::fs::remove_file(&path);
+        if stream.set_nonblocking(false).is_err() {
+            return Vec::new();
+        }
+        BufReader::new(stream.take(CHANNEL_LIMIT))
+            .lines()
+            .map_while(Result::ok)
+            .map_while(|line| Message::from_line(&line))
+            .collect()
+    });
+    let job = Job {
+        program: program.path.clone(),
+        arguments: std::iter::once(socket.clone().into_os_string())
+            .chain(names.iter().map(Into::into))
+            .collect(),
+        environment: vec![
+            ("PROPTEST_RNG_SEED".into(), seed.to_string().into()),
+            ("PROPTEST_DISABLE_FAILURE_PERSISTENCE".into(), "true".into()),
+            ("RUST_BACKTRACE".into(), "0".into()),
+        ],
+        scratch: scratch.to_path_buf(),
+        readable: vec![program.path.clone()],
+        needs_system: false,
+        limits: limits.clone(),
+    };
+    let run = launch(&job, isolation);
+    // A closed channel ends the reader; one that was never opened needs to be told.
+    let _ = stop.send(());
+    let messages = reader.join().unwrap_or_default();
+    let _ = std::fs::remove_file(&socket);
+    Ok((messages, run?))
+}
+
+/// Runs a job in the sandbox.
+pub(super) fn launch(job: &Job, isolation: Isolation) -> Result<Run, CheckingError> {
+    sandbox::run(job, isolation).map_err(|e| CheckingError::Unsupported(e.to_string()))
+}
+
+fn result(test: String, outcome: TestOutcome, message: String) -> TestResult {
+    TestResult {
+        test,
+        outcome,
+        message,
+        claim: None,
+        input: None,
+        expected: None,
+        found: None,
+        picture: None,
+    }
+}
+
+/// The result of a test that panicked: by an assertion, or by a panic of the answer.
+fn failed(test: String, failure: Failure) -> TestResult {
+    let by_assertion = failure.finding.is_some()
+        || !failure.place.starts_with("answer.rs")
+            && (failure.place.starts_with("tests.rs") || failure.place.contains("proptest"));
+    let outcome = if by_assertion {
+        TestOutcome::Rejected
+    } else {
+        TestOutcome::Panicked
+    };
+    let mut result = result(test, outcome, failure.message);
+    if let Some(finding) = failure.finding {
+        let given = |text: String| Some(text).filter(|text| !text.is_empty());
+        result.claim = given(finding.claim);
+        result.input = given(finding.input);
+        result.expected = Some(finding.expected);
+        result.found = Some(finding.found);
+        result.picture = finding.picture.map(strokes);
+    }
+    result
+}
+
+fn strokes(picture: Picture) -> Vec<PictureStroke> {
+    picture
+        .strokes
+        .into_iter()
+        .map(|stroke| PictureStroke {
+            role: match stroke.role {
+                Role::Given => "given",
+                Role::Expected => "expected",
+                Role::Found => "found",
+            }
+            .to_owned(),
+            points: stroke.points,
+        })
+        .collect()
+}
