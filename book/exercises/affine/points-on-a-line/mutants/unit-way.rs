@@ -1,0 +1,27 @@
+//! misconception: a coefficient sum of 0 always gives the vector from A to B, whatever the coefficients are
+
+use cagd::affine::{Point, Vector};
+use cagd::scalar::Scalar;
+
+/// What a weighted sum of two points is.
+pub enum Sum<T: Scalar> {
+    /// A position.
+    Point(Point<T, 2>),
+    /// A displacement.
+    Vector(Vector<T, 2>),
+    /// Neither.
+    Nothing,
+}
+
+/// The weighted sum.
+pub fn weighted_sum<T: Scalar>(alpha: T, a: &Point<T, 2>, beta: T, b: &Point<T, 2>) -> Sum<T> {
+    let way = b.clone() - a.clone();
+    let sum = alpha + beta.clone();
+    if sum.is_one() {
+        Sum::Point(a.clone() + way * beta)
+    } else if sum.is_zero() {
+        Sum::Vector(way)
+    } else {
+        Sum::Nothing
+    }
+}

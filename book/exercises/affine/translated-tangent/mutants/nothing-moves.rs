@@ -1,0 +1,14 @@
+//! misconception: a vector is not moved by a translation, so the point that it starts from is not either
+
+use cagd::affine::{Point, Vector};
+use cagd::scalar::Scalar;
+
+/// Touching point and direction of a tangent after a translation.
+pub fn translated<T: Scalar>(
+    point: &Point<T, 2>,
+    direction: &Vector<T, 2>,
+    by: &Vector<T, 2>,
+) -> (Point<T, 2>, Vector<T, 2>) {
+    let _ = by;
+    (point.clone(), direction.clone())
+}
