@@ -14,7 +14,9 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use thiserror::Error;
 
-use super::{house, watch};
+#[cfg(unix)]
+use super::checking;
+use super::{commands, house, watch};
 use crate::book;
 use crate::book::catalogue::CHAPTERS;
 use crate::book::coverage::Coverage;
@@ -64,6 +66,9 @@ enum Command {
         #[arg(long, value_name = "NEED,…", value_delimiter = ',', value_parser = gap_parser())]
         except: Vec<String>,
     },
+    /// Prove exercises sound: the starter fails, the solution passes, every wrong answer is rejected
+    #[cfg(unix)]
+    Verify(commands::verify::Verify),
     /// Speak mdBook's preprocessor protocol; `mdbook` calls this
     #[command(hide = true)]
     Preprocessor {
@@ -87,13 +92,27 @@ fn gap_parser() -> PossibleValuesParser {
 
 /// What ends a command with status 2.
 #[derive(Debug, Error)]
-enum Failure {
+pub(crate) enum Failure {
     #[error(transparent)]
     House(#[from] house::NoHouse),
     #[error("{0}")]
     Book(#[from] BookErrors),
     #[error(transparent)]
     Serve(#[from] watch::ServeError),
+    #[cfg(unix)]
+    #[error(transparent)]
+    Checking(#[from] checking::CheckingError),
+    #[error("there is no exercise `{name}`{}\nnext step: `cargo run -- verify` lists all of them", did_you_mean(similar.as_deref()))]
+    NoExercise {
+        name: String,
+        similar: Option<String>,
+    },
+    #[error(
+        "the pack `{}` cannot be read ({reason})\n\
+         next step: name the folder that holds `<chapter>/<name>/exercise.md`",
+        pack.display()
+    )]
+    Pack { pack: PathBuf, reason: String },
     #[error("{0}")]
     Preprocessor(String),
     #[error(
@@ -106,9 +125,14 @@ enum Failure {
     Output(#[from] std::io::Error),
 }
 
+/// The suggestion behind a name that is not there.
+fn did_you_mean(similar: Option<&str>) -> String {
+    similar.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+}
+
 /// How a command that ran ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Outcome {
+pub(crate) enum Outcome {
     Fine,
     FallsShort,
 }
@@ -155,6 +179,8 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
             chapter,
             except,
         }) => coverage(json, &chapter, &except),
+        #[cfg(unix)]
+        Some(Command::Verify(verify)) => verify.run(),
         Some(Command::Preprocessor { question }) => preprocessor(question),
     }
 }

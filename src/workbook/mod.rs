@@ -5,6 +5,8 @@
 //! | [`checking`] | an answer is compiled, run and judged |
 //! | [`sandbox`] | running other people's programs |
 //! | [`command_line`] | the commands, their arguments and exit statuses |
+//! | `commands` | the commands that need more than a few lines |
+//! | [`verify`] | the proof that an exercise is sound |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`server`] | the book on a loopback address, with live reload |
 //! | [`watch`] | what to do when a source changes |
@@ -12,8 +14,11 @@
 #[cfg(unix)]
 pub mod checking;
 pub mod command_line;
+mod commands;
 pub mod house;
 #[cfg(unix)]
 pub mod sandbox;
 pub mod server;
+#[cfg(unix)]
+pub mod verify;
 pub mod watch;

@@ -51,6 +51,16 @@ impl Checker {
         &self.library
     }
 
+    /// How programs are kept apart.
+    pub fn isolation(&self) -> Isolation {
+        self.isolation
+    }
+
+    /// How much an answer may use.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
     /// Compiles an answer with the tests of its exercise.
     ///
     /// # Errors

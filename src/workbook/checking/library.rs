@@ -51,6 +51,8 @@ impl Library {
             .and_then(|bytes| serde_json::from_slice(&bytes).ok());
         if let Some(known) = known
             && known.fingerprint == fingerprint
+            // A copied or moved folder still names the old place.
+            && known.work == folder.join("work")
             && known.cagd.is_file()
             && known.proptest.is_file()
         {

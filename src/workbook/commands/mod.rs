@@ -1,0 +1,4 @@
+//! The commands that need more than a few lines: their arguments and what they do.
+
+#[cfg(unix)]
+pub mod verify;

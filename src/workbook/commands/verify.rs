@@ -1,0 +1,130 @@
+//! `cargo run -- verify`: the instructor's proof that exercises are sound.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::book::catalogue::Catalogue;
+use crate::book::exercise::{Exercise, Exercises};
+use crate::workbook::checking::Checker;
+use crate::workbook::command_line::{Failure, Outcome};
+use crate::workbook::house;
+use crate::workbook::sandbox::Isolation;
+use crate::workbook::verify::report::Report;
+use crate::workbook::verify::session::Progress;
+use crate::workbook::verify::text::Text;
+use crate::workbook::verify::{junit, verify};
+
+/// What `verify` is asked.
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// Only this exercise, `chapter/name`, or all of this chapter; with the tests that reject each answer
+    #[arg(value_name = "NAME")]
+    names: Vec<String>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Write JUnit XML to this file as well
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Try every answer again, also where nothing has changed
+    #[arg(long)]
+    no_cache: bool,
+    /// Read the exercises of this pack as well
+    #[arg(long, value_name = "DIR")]
+    pack: Vec<PathBuf>,
+    /// Show which test rejects which answer
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+impl Verify {
+    /// Verifies the exercises that were asked for.
+    ///
+    /// # Errors
+    ///
+    /// The workbook is not found, an exercise does not follow the schema or is not there, or an answer cannot be run.
+    pub(crate) fn run(&self) -> Result<Outcome, Failure> {
+        let root = house::find()?;
+        let catalogue = Catalogue::load(&root)?;
+        let exercises = Exercises::load(&root, &self.packs()?, &catalogue)?;
+        let chosen = self.chosen(&exercises)?;
+        let checker = Checker::new(&root, Isolation::best())?;
+        let bar = progress_bar();
+        let verified = verify(&checker, &chosen, !self.no_cache, &|progress: Progress| {
+            bar.set_length(progress.all as u64);
+            bar.set_message(progress.exercise.name.to_string());
+            bar.inc(1);
+        })?;
+        bar.finish_and_clear();
+
+        if let Some(file) = &self.junit {
+            let write = || -> Result<(), Failure> {
+                let xml = junit::xml(&verified);
+                let file = File::create(file)?;
+                xml.serialize(file).map_err(std::io::Error::other)?;
+                Ok(())
+            };
+            write()?;
+        }
+        if self.json {
+            let reports: Vec<&Report> = verified.iter().map(|v| &v.report).collect();
+            let text = serde_json::to_string_pretty(&reports).map_err(std::io::Error::from)?;
+            writeln!(std::io::stdout(), "{text}")?;
+        } else {
+            let text = Text {
+                verified: &verified,
+                matrix: self.verbose || self.names.iter().any(|name| name.contains('/')),
+            };
+            write!(anstream::stdout(), "{text}")?;
+        }
+        let is_sound = verified.iter().all(|v| v.report.is_sound());
+        Ok(if is_sound {
+            Outcome::Fine
+        } else {
+            Outcome::FallsShort
+        })
+    }
+
+    /// The folders of the packs, which are named from where the instructor stands.
+    fn packs(&self) -> Result<Vec<PathBuf>, Failure> {
+        let absolute = |pack: &PathBuf| {
+            pack.canonicalize().map_err(|e| Failure::Pack {
+                pack: pack.clone(),
+                reason: e.to_string(),
+            })
+        };
+        self.pack.iter().map(absolute).collect()
+    }
+
+    /// The exercises of the names, in the order of the list; all without names.
+    fn chosen<'a>(&self, exercises: &'a Exercises) -> Result<Vec<&'a Exercise>, Failure> {
+        let fits = |name: &str, exercise: &Exercise| {
+            exercise.name.to_string() == name || exercise.name.chapter() == name
+        };
+        for name in &self.names {
+            if !exercises.iter().any(|exercise| fits(name, exercise)) {
+                return Err(Failure::NoExercise {
+                    name: name.clone(),
+                    similar: exercises.similar(name),
+                });
+            }
+        }
+        let is_chosen = |exercise: &&Exercise| {
+            self.names.is_empty() || self.names.iter().any(|name| fits(name, exercise))
+        };
+        Ok(exercises.iter().filter(is_chosen).collect())
+    }
+}
+
+/// A bar on the terminal; nothing where standard error is none.
+fn progress_bar() -> ProgressBar {
+    let bar = ProgressBar::no_length();
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos} of {len} answers  {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}
