@@ -6,5 +6,10 @@ mod areas;
 mod barycentric;
 mod combinations;
 mod convexity;
+mod magnitudes;
 mod maps;
 mod points_and_vectors;
+
+pub use areas::*;
+pub use convexity::*;
+pub use maps::*;
