@@ -1,0 +1,17 @@
+//! misconception: if both values agree, the constant map will do, even for equal parameters
+
+use cagd::scalar::Scalar;
+
+/// Slope and offset.
+pub fn line_map<T: Scalar>(t: &[T; 2], y: &[T; 2]) -> Option<[T; 2]> {
+    let [t0, t1] = t.clone();
+    let [y0, y1] = y.clone();
+    if y0 == y1 {
+        return Some([T::zero(), y0]);
+    }
+    if t0 == t1 {
+        return None;
+    }
+    let a = (y1 - y0.clone()) / (t1 - t0.clone());
+    Some([a.clone(), y0 - a * t0])
+}
