@@ -8,7 +8,6 @@ use mdbook_driver::MDBook;
 
 use super::error::{BookError, BookErrors, Problem};
 use super::preprocessor::Workbook;
-use super::registry::Registry;
 
 /// What a build did.
 #[derive(Debug, Clone)]
@@ -29,15 +28,15 @@ pub struct BuildReport {
 ///
 /// Everything that is wrong with the book, each with file and line; or that `out` cannot be written.
 pub fn build(root: &Path, out: &Path) -> Result<BuildReport, BookErrors> {
-    build_with(root, out, Registry::of_all_chapters())
+    build_with(root, out, Workbook::default())
 }
 
-/// Builds a book with the given figures and computed texts; see [`build`].
+/// Builds a book with the given preprocessor, which has the figures and computed texts; see [`build`].
 ///
 /// # Errors
 ///
 /// As for [`build`].
-pub fn build_with(root: &Path, out: &Path, registry: Registry) -> Result<BuildReport, BookErrors> {
+pub fn build_with(root: &Path, out: &Path, workbook: Workbook) -> Result<BuildReport, BookErrors> {
     let start = Instant::now();
     let root = std::path::absolute(root).map_err(|e| unwritable(out, &e))?;
     let out = std::path::absolute(out).map_err(|e| unwritable(out, &e))?;
@@ -50,7 +49,7 @@ pub fn build_with(root: &Path, out: &Path, registry: Registry) -> Result<BuildRe
         .map_err(|e| unwritable(&out, &e))?;
     let site = fresh.path().join("site");
     book.config.build.build_dir = site.clone();
-    book.with_preprocessor(Workbook::new(registry));
+    book.with_preprocessor(workbook);
     book.build().map_err(|e| mdbook_error(&root, &e))?;
     swap(&site, &out, fresh.path()).map_err(|e| unwritable(&out, &e))?;
     Ok(BuildReport {

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::catalogue::{Catalogue, Kind, Need, Statement};
 use super::error::{BookErrors, Place};
 use super::evidence::{AllEvidence, Doubt, Evidence, Gap};
+use super::exercise::{Exercise, Exercises};
 use super::manuscript::Manuscript;
 
 /// One statement with its evidence; serialised, it is an entry of `coverage --json`.
@@ -48,15 +49,23 @@ impl Coverage {
     /// No chapters stands for those that have begun: those of which the book states something.
     /// What is in `except` may be missing.
     ///
+    /// `verify` says of each exercise whether it is sound, or why not; it is asked only about those that count.
+    ///
     /// # Errors
     ///
-    /// What is wrong with the catalogue, the pages or the tests' sources, all at once.
-    pub fn find(root: &Path, chapters: &[String], except: &[Gap]) -> Result<Self, BookErrors> {
+    /// What is wrong with the catalogue, the pages, the exercises or the tests' sources, all at once.
+    pub fn find(
+        root: &Path,
+        chapters: &[String],
+        except: &[Gap],
+        verify: impl Fn(&[&Exercise]) -> Vec<Result<(), String>>,
+    ) -> Result<Self, BookErrors> {
         let catalogue = Catalogue::load(root)?;
         let mut errors = Vec::new();
         let manuscript = Manuscript::load(root, &catalogue, &mut errors);
         BookErrors::none_of(errors)?;
-        let all = AllEvidence::find(root, &catalogue, &manuscript)?;
+        let exercises = Exercises::load(root, &[], &catalogue)?;
+        let mut all = AllEvidence::find(root, &catalogue, &manuscript, &exercises)?;
         let begun: BTreeSet<&str> = manuscript
             .statements
             .keys()
@@ -66,6 +75,24 @@ impl Coverage {
             [] => begun.contains(statement.chapter),
             chosen => chosen.iter().any(|chapter| chapter == statement.chapter),
         };
+        if !except.contains(&Gap::Need(Need::Exercise)) {
+            let trains_chosen = |exercise: &&Exercise| {
+                let trained = exercise.front.statements.iter();
+                trained
+                    .filter_map(|id| catalogue.get(id))
+                    .any(|s| is_chosen(&s))
+            };
+            let asked: Vec<&Exercise> = exercises
+                .iter()
+                .filter(|exercise| exercise.front.kind.is_tested())
+                .filter(trains_chosen)
+                .collect();
+            for (exercise, judged) in asked.iter().zip(verify(&asked)) {
+                if let Err(reason) = judged {
+                    all.refuse(exercise, &reason);
+                }
+            }
+        }
         let entries = catalogue
             .statements()
             .iter()

@@ -107,7 +107,7 @@ const KNOWN: &str =
     "`statement`, `proof`, `errata`, `figure`, `listing`, `ref`, `cite`, `term` and `computed`";
 
 /// The keys that a statement directive may give names for.
-const OPTION_KEYS: [&str; 5] = ["law", "property", "exact", "figure", "exercise"];
+const OPTION_KEYS: [&str; 4] = ["law", "property", "exact", "figure"];
 
 impl Action {
     /// Reads a directive, braces included: `{{#ref bezier-blossom}}`.
@@ -210,7 +210,8 @@ impl Action {
 }
 
 /// How a statement directive is written.
-const USAGE_STATEMENT: &str = "{{#statement ID}} or {{#statement ID law=NAME property=NAME,NAME exact=NAME figure=NAME exercise=NAME}}";
+const USAGE_STATEMENT: &str =
+    "{{#statement ID}} or {{#statement ID law=NAME property=NAME,NAME exact=NAME figure=NAME}}";
 
 /// Reads `key=name,name` for each word.
 fn parse_options(words: &[&str]) -> Option<Options> {

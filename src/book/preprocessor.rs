@@ -16,13 +16,14 @@ use super::catalogue::Catalogue;
 use super::data::Data;
 use super::error::BookErrors;
 use super::evidence::AllEvidence;
-use super::expand::Expansion;
+use super::exercise::Exercises;
+use super::expand::{Expansion, Lines, exercises_of_page};
 use super::laws::Laws;
 use super::lint;
 use super::manuscript::Manuscript;
 use super::pages::{Generated, generate};
 use super::registry::Registry;
-use super::site::Site;
+use super::site::{Parts, Site};
 
 /// The name under which `book.toml` lists it.
 pub const NAME: &str = "workbook";
@@ -31,6 +32,7 @@ pub const NAME: &str = "workbook";
 #[derive(Clone)]
 pub struct Workbook {
     registry: Arc<Registry>,
+    with_solutions: bool,
 }
 
 impl Default for Workbook {
@@ -44,7 +46,15 @@ impl Workbook {
     pub fn new(registry: Registry) -> Self {
         Self {
             registry: Arc::new(registry),
+            with_solutions: true,
         }
+    }
+
+    /// The same without the solutions of the exercises, to hand out.
+    #[must_use]
+    pub fn without_solutions(mut self) -> Self {
+        self.with_solutions = false;
+        self
     }
 
     /// Expands a book whose `book.toml` stands in `root/book`.
@@ -66,20 +76,26 @@ impl Workbook {
                 sources.push((file, chapter.content.clone()));
             }
         }
+        let exercises = Exercises::load(root, &[], &catalogue).unwrap_or_else(|e| {
+            errors.extend(e.iter().cloned());
+            Exercises::default()
+        });
         let manuscript = Manuscript::new(sources, &catalogue, &mut errors);
         for page in &manuscript.pages {
             lint::check(page, &mut errors);
         }
         let laws = Laws::find(root);
-        let site = Site::new(
+        let parts = Parts {
             root,
-            &catalogue,
-            &data,
-            &manuscript,
-            &self.registry,
-            &laws,
-            errors,
-        );
+            catalogue: &catalogue,
+            data: &data,
+            manuscript: &manuscript,
+            registry: &self.registry,
+            laws: &laws,
+            exercises: &exercises,
+            with_solutions: self.with_solutions,
+        };
+        let site = Site::new(parts, errors);
         let expanded = std::thread::scope(|scope| {
             scope.spawn(|| find_evidence(&site));
             in_parallel(manuscript.pages.len(), |index| {
@@ -90,9 +106,11 @@ impl Workbook {
                     page,
                     address: &address,
                     repeated: false,
-                    line: None,
+                    lines: Lines::Same,
                 };
-                expansion.expand(0..page.text.len())
+                let mut text = expansion.expand(0..page.text.len());
+                text.push_str(&exercises_of_page(&site, index));
+                text
             })
         });
         let generated = generate(&site);
@@ -108,7 +126,7 @@ impl Workbook {
 
 /// Looks up the evidence, for which the expansions wait.
 fn find_evidence(site: &Site<'_>) {
-    let find = || AllEvidence::find(site.root, site.catalogue, site.manuscript);
+    let find = || AllEvidence::find(site.root, site.catalogue, site.manuscript, site.exercises);
     let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(find));
     let (evidence, panic) = match found {
         Ok(Ok(evidence)) => (evidence, None),

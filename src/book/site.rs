@@ -8,6 +8,7 @@ use super::catalogue::{Catalogue, Statement};
 use super::data::Data;
 use super::error::{BookError, Place};
 use super::evidence::AllEvidence;
+use super::exercise::Exercises;
 use super::formula::Formulas;
 use super::laws::Laws;
 use super::listing::Listings;
@@ -21,6 +22,9 @@ pub(crate) struct Site<'a> {
     pub(crate) data: &'a Data,
     pub(crate) manuscript: &'a Manuscript,
     pub(crate) registry: &'a Registry,
+    pub(crate) exercises: &'a Exercises,
+    /// Whether the pages show the solutions of the exercises.
+    pub(crate) with_solutions: bool,
     /// The evidence, once another thread has found it.
     pub(crate) evidence: OnceLock<AllEvidence>,
     pub(crate) laws: &'a Laws,
@@ -31,25 +35,32 @@ pub(crate) struct Site<'a> {
     errors: Mutex<Vec<BookError>>,
 }
 
+/// What a site is made from.
+pub(crate) struct Parts<'a> {
+    pub(crate) root: &'a Path,
+    pub(crate) catalogue: &'a Catalogue,
+    pub(crate) data: &'a Data,
+    pub(crate) manuscript: &'a Manuscript,
+    pub(crate) registry: &'a Registry,
+    pub(crate) laws: &'a Laws,
+    pub(crate) exercises: &'a Exercises,
+    /// Whether the pages show the solutions of the exercises.
+    pub(crate) with_solutions: bool,
+}
+
 impl<'a> Site<'a> {
     /// The site with nothing linked yet; `errors` are those found so far.
-    pub(crate) fn new(
-        root: &'a Path,
-        catalogue: &'a Catalogue,
-        data: &'a Data,
-        manuscript: &'a Manuscript,
-        registry: &'a Registry,
-        laws: &'a Laws,
-        errors: Vec<BookError>,
-    ) -> Self {
+    pub(crate) fn new(parts: Parts<'a>, errors: Vec<BookError>) -> Self {
         Self {
-            root,
-            catalogue,
-            data,
-            manuscript,
-            registry,
+            root: parts.root,
+            catalogue: parts.catalogue,
+            data: parts.data,
+            manuscript: parts.manuscript,
+            registry: parts.registry,
+            exercises: parts.exercises,
+            with_solutions: parts.with_solutions,
             evidence: OnceLock::new(),
-            laws,
+            laws: parts.laws,
             formulas: Formulas::new(),
             listings: Listings::default(),
             linked: Mutex::new(BTreeMap::new()),

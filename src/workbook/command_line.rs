@@ -10,19 +10,15 @@ use std::io::{Write, stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use thiserror::Error;
 
 #[cfg(unix)]
 use super::checking;
 use super::{commands, house, watch};
-use crate::book;
-use crate::book::catalogue::CHAPTERS;
-use crate::book::coverage::Coverage;
+use crate::book::build::build_with;
 use crate::book::error::{BookError, BookErrors, Problem};
-use crate::book::evidence::Gap;
-use crate::book::preprocessor;
+use crate::book::preprocessor::{self, Workbook};
 
 /// The CAGD workbook: without a command it builds the book, serves it and follows your edits.
 #[derive(Debug, Parser)]
@@ -53,19 +49,12 @@ enum Command {
         /// The folder to write
         #[arg(long, value_name = "DIR", default_value = "target/book")]
         out: PathBuf,
+        /// Leave out the solutions of the exercises, to hand the site out
+        #[arg(long)]
+        without_solutions: bool,
     },
     /// Show the evidence for every statement and what is missing
-    Coverage {
-        /// Print JSON
-        #[arg(long)]
-        json: bool,
-        /// Only this chapter; without it, the chapters that have begun
-        #[arg(long, value_name = "C", value_parser = PossibleValuesParser::new(CHAPTERS))]
-        chapter: Vec<String>,
-        /// What may be missing
-        #[arg(long, value_name = "NEED,…", value_delimiter = ',', value_parser = gap_parser())]
-        except: Vec<String>,
-    },
+    Coverage(commands::coverage::AskedCoverage),
     /// Prove exercises sound: the starter fails, the solution passes, every wrong answer is rejected
     #[cfg(unix)]
     Verify(commands::verify::Verify),
@@ -84,10 +73,6 @@ enum Question {
         /// The name of the renderer
         renderer: String,
     },
-}
-
-fn gap_parser() -> PossibleValuesParser {
-    PossibleValuesParser::new(Gap::all().map(Gap::name).collect::<Vec<_>>())
 }
 
 /// What ends a command with status 2.
@@ -164,7 +149,10 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
             watch::serve(&house::find()?, line.serve.port, line.serve.open)?;
             Ok(Outcome::Fine)
         }
-        Some(Command::Build { out }) => {
+        Some(Command::Build {
+            out,
+            without_solutions,
+        }) => {
             // A folder given on the command line is meant from where the reader stands, the default from the root.
             let root = house::find()?;
             let out = if out.as_os_str() == "target/book" {
@@ -172,13 +160,9 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
             } else {
                 out
             };
-            build(&root, &out)
+            build(&root, &out, without_solutions)
         }
-        Some(Command::Coverage {
-            json,
-            chapter,
-            except,
-        }) => coverage(json, &chapter, &except),
+        Some(Command::Coverage(asked)) => asked.run(),
         #[cfg(unix)]
         Some(Command::Verify(verify)) => verify.run(),
         Some(Command::Preprocessor { question }) => preprocessor(question),
@@ -186,11 +170,15 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
 }
 
 /// A book with errors falls short; a folder that cannot be written keeps the command from running.
-fn build(root: &Path, out: &Path) -> Result<Outcome, Failure> {
+fn build(root: &Path, out: &Path, without_solutions: bool) -> Result<Outcome, Failure> {
     if is_precious(out) {
         return Err(Failure::Precious(out.to_path_buf()));
     }
-    match book::build(root, out) {
+    let workbook = match without_solutions {
+        true => Workbook::default().without_solutions(),
+        false => Workbook::default(),
+    };
+    match build_with(root, out, workbook) {
         Ok(_) => {
             writeln!(
                 stdout(),
@@ -216,24 +204,6 @@ fn is_precious(out: &Path) -> bool {
 
 fn is_about_the_output(error: &BookError) -> bool {
     matches!(error.problem, Problem::Output { .. })
-}
-
-fn coverage(json: bool, chapters: &[String], except: &[String]) -> Result<Outcome, Failure> {
-    let except: Vec<Gap> = Gap::all()
-        .filter(|gap| except.iter().any(|name| name == gap.name()))
-        .collect();
-    let coverage = Coverage::find(&house::find()?, chapters, &except)?;
-    if json {
-        let text = serde_json::to_string_pretty(&coverage.entries).map_err(std::io::Error::from)?;
-        writeln!(stdout(), "{text}")?;
-    } else {
-        write!(stdout(), "{coverage}")?;
-    }
-    Ok(if coverage.is_complete() {
-        Outcome::Fine
-    } else {
-        Outcome::FallsShort
-    })
 }
 
 /// mdBook asks first whether the renderer is supported, then hands over the book.

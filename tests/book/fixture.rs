@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use cagd::book::build::build_with;
 use cagd::book::error::BookErrors;
+use cagd::book::preprocessor::Workbook;
 use cagd::book::registry::{RegisteredFigure, Registry};
 use cagd::book::{BuildReport, build};
 use tempfile::TempDir;
@@ -82,7 +83,7 @@ impl Fixture {
     /// Builds the book into `out`, a path below the package.
     pub(crate) fn build_into(self, out: &str) -> (TempDir, Result<BuildReport, BookErrors>) {
         let out = self.folder.path().join(out);
-        let report = build_with(self.folder.path(), &out, self.registry);
+        let report = build_with(self.folder.path(), &out, Workbook::new(self.registry));
         (self.folder, report)
     }
 
@@ -99,6 +100,21 @@ impl Fixture {
         }
         let page = folder.path().join("site/bezier/page.html");
         std::fs::read_to_string(page).expect("the page is built")
+    }
+
+    /// The page of the site to hand out.
+    ///
+    /// # Panics
+    ///
+    /// If the book has errors.
+    #[track_caller]
+    pub(crate) fn page_without_solutions(self) -> String {
+        let out = self.folder.path().join("site");
+        let workbook = Workbook::new(self.registry).without_solutions();
+        if let Err(errors) = build_with(self.folder.path(), &out, workbook) {
+            panic!("{errors}");
+        }
+        std::fs::read_to_string(out.join("bezier/page.html")).expect("the page is built")
     }
 
     /// The errors of the book, each as `file:line: message`.

@@ -2,6 +2,7 @@
 
 mod chapter_doctests;
 mod errors;
+mod exercises;
 mod fixture;
 mod output;
 mod pages;

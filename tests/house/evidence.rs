@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use cagd::book::coverage::Coverage;
+use cagd::book::exercise::Exercise;
 use tempfile::TempDir;
 
 const ID: &str = "bezier-convex-hull";
@@ -105,8 +106,13 @@ fn house(changes: &[(&str, &str)]) -> TempDir {
     folder
 }
 
+/// Every exercise passes.
+fn all_sound(asked: &[&Exercise]) -> Vec<Result<(), String>> {
+    vec![Ok(()); asked.len()]
+}
+
 fn missing(root: &Path) -> Vec<&'static str> {
-    let coverage = Coverage::find(root, &[], &[]).expect("the house is sound");
+    let coverage = Coverage::find(root, &[], &[], all_sound).expect("the house is sound");
     assert_eq!(coverage.entries.len(), 1);
     assert_eq!(coverage.entries[0].id, ID);
     coverage.entries[0].missing.clone()
@@ -115,7 +121,7 @@ fn missing(root: &Path) -> Vec<&'static str> {
 #[test]
 fn all_kinds_of_evidence_are_found_with_their_lines() {
     let house = house(&[]);
-    let coverage = Coverage::find(house.path(), &[], &[]).expect("the house is sound");
+    let coverage = Coverage::find(house.path(), &[], &[], all_sound).expect("the house is sound");
     let entry = &coverage.entries[0];
     let found: Vec<(String, Vec<String>)> = entry
         .evidence
@@ -259,9 +265,10 @@ fn a_figure_counts_only_if_it_is_shown_reviewed_and_refused_when_wrong() {
 fn a_chapter_begins_with_its_first_statement() {
     let page = "book/src/bezier/shape.md";
     let house = house(&[(page, "# Shape\n")]);
-    let begun = Coverage::find(house.path(), &[], &[]).expect("the house is sound");
+    let begun = Coverage::find(house.path(), &[], &[], all_sound).expect("the house is sound");
     assert!(begun.entries.is_empty());
-    let asked = Coverage::find(house.path(), &["bezier".into()], &[]).expect("the house is sound");
+    let asked = Coverage::find(house.path(), &["bezier".into()], &[], all_sound)
+        .expect("the house is sound");
     let missing = &asked.entries[0].missing;
     assert_eq!(
         missing,
@@ -290,4 +297,71 @@ fn a_figure_needs_no_words_besides_its_own() {
     let bare = format!("{opening}{{{{/statement}}}}\n");
     let bare = missing(house(&[catalogue, (page, &bare)]).path());
     assert!(bare.contains(&"statement"), "{bare:?}");
+}
+
+const TASK: &str = "+++
+title = \"Inside\"
+kind = \"implement\"
+statements = [\"bezier-convex-hull\"]
+difficulty = 1
+minutes = 5
+order = 10
++++
+Write it.
+
+## Hint
+One.
+
+## Hint
+Two.
+
+## Hint
+`three`
+";
+
+/// The files of an exercise that trains the statement.
+fn exercise_files() -> Vec<(&'static str, &'static str)> {
+    let mutant = "//! misconception: one is two\npub fn f() -> u8 { 2 }\n";
+    vec![
+        ("book/exercises/bezier/inside/exercise.md", TASK),
+        (
+            "book/exercises/bezier/inside/answer.rs",
+            "pub fn f() -> u8 {\n    //@ solution\n    1\n    //@ starter\n    //| 0\n    //@ end\n}\n",
+        ),
+        (
+            "book/exercises/bezier/inside/tests.rs",
+            "fn probes() -> Vec<String> { cagd::probes![answer::f()] }\n#[test]\nfn one() { assert_eq!(answer::f(), 1) }\n",
+        ),
+        ("book/exercises/bezier/inside/mutants/a.rs", mutant),
+        ("book/exercises/bezier/inside/mutants/b.rs", mutant),
+        ("book/exercises/bezier/inside/mutants/c.rs", mutant),
+    ]
+}
+
+#[test]
+fn an_exercise_counts_if_it_is_sound() {
+    let catalogue = CATALOGUE.replace("\"proof\",", "\"proof\", \"exercise\",");
+    let mut files = exercise_files();
+    files.push(("book/statements/bezier.toml", &catalogue));
+    let needs_one = house(&[("book/statements/bezier.toml", &catalogue)]);
+    assert_eq!(missing(needs_one.path()), ["exercise"]);
+
+    let trained = house(&files);
+    assert_eq!(missing(trained.path()), [""; 0]);
+    let refuse = |asked: &[&Exercise]| vec![Err("a mutant survives".to_owned()); asked.len()];
+    let coverage = Coverage::find(trained.path(), &[], &[], refuse).expect("the house is sound");
+    assert_eq!(coverage.entries[0].missing, ["exercise"]);
+    assert!(coverage.to_string().contains("a mutant survives"));
+}
+
+#[test]
+fn an_explanation_alone_trains_nobody() {
+    let catalogue = CATALOGUE.replace("\"proof\",", "\"proof\", \"exercise\",");
+    let explain = TASK.replace("implement", "explain")
+        + "\n## Model answer\nBecause.\n\n## Checklist\n- [ ] because\n";
+    let explained = house(&[
+        ("book/statements/bezier.toml", &catalogue),
+        ("book/exercises/bezier/inside/exercise.md", &explain),
+    ]);
+    assert_eq!(missing(explained.path()), ["exercise"]);
 }

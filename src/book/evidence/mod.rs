@@ -17,7 +17,10 @@
 //! ([`Options`](super::directive::Options)).
 //! A test that comes close but does not count is reported with the reason, as a [`Doubt`].
 //!
-//! Figures that a reader can change and exercises are not in the house yet, so nothing is evidence of those kinds.
+//! An exercise is evidence for each statement that it names, unless it is an explanation; whether it passes `verify`
+//! is asked by `coverage` ([`AllEvidence::find`] only looks).
+//!
+//! Figures that a reader can change are not in the house yet, so nothing is evidence of that kind.
 
 mod test_functions;
 mod tokens;
@@ -28,6 +31,7 @@ use std::path::{Path, PathBuf};
 
 use super::catalogue::{CHAPTERS, Catalogue, Kind, Need, Statement};
 use super::error::{BookErrors, Place};
+use super::exercise::{Exercise, Exercises};
 use super::manuscript::Manuscript;
 use super::page::{CodeBlock, InnerBlock, Page, StatementBlock};
 
@@ -141,10 +145,12 @@ impl AllEvidence {
         root: &Path,
         catalogue: &Catalogue,
         manuscript: &Manuscript,
+        exercises: &Exercises,
     ) -> Result<Self, BookErrors> {
         let sources = Sources {
             root,
             manuscript,
+            exercises,
             property: tests_of_binary(root, "property")?,
             exact: tests_of_binary(root, "exact")?,
             figures: tests_of_binary(root, "figures")?,
@@ -153,6 +159,20 @@ impl AllEvidence {
         Ok(Self {
             by_id: catalogue.statements().iter().map(evidence).collect(),
         })
+    }
+
+    /// Takes an exercise that is not sound out of the evidence, and says why.
+    pub(crate) fn refuse(&mut self, exercise: &Exercise, reason: &str) {
+        for id in &exercise.front.statements {
+            let Some(evidence) = self.by_id.get_mut(id) else {
+                continue;
+            };
+            let place = Place::new(exercise.file(), 1);
+            if let Some(places) = evidence.found.get_mut(&Need::Exercise) {
+                places.retain(|other| *other != place);
+            }
+            evidence.doubt(Gap::Need(Need::Exercise), place, reason);
+        }
     }
 
     /// The evidence for the statement with this id; `None` for an id that no catalogue lists.
@@ -165,6 +185,7 @@ impl AllEvidence {
 struct Sources<'a> {
     root: &'a Path,
     manuscript: &'a Manuscript,
+    exercises: &'a Exercises,
     property: Vec<TestFunction>,
     exact: Vec<TestFunction>,
     figures: Vec<TestFunction>,
@@ -182,6 +203,9 @@ impl Sources<'_> {
         self.laws(statement, section, Need::Exact, &mut evidence);
         if let Some((page, section)) = written {
             self.figures(statement, page, section, &mut evidence);
+        }
+        for exercise in self.exercises.iter().filter(|e| trains(e, &statement.id)) {
+            evidence.add(Need::Exercise, Place::new(exercise.file(), 1));
         }
         evidence
     }
@@ -309,6 +333,11 @@ impl Sources<'_> {
         let page = self.manuscript.statements[&statement.id].page;
         Place::new(&self.manuscript.pages[page].file, section.line)
     }
+}
+
+/// Whether solving an exercise shows that a statement was understood; an explanation shows it to nobody.
+fn trains(exercise: &Exercise, id: &str) -> bool {
+    exercise.front.kind.is_tested() && exercise.front.statements.iter().any(|s| s == id)
 }
 
 /// What stands in the section itself: text, examples, proofs, errata.

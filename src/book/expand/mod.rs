@@ -4,12 +4,14 @@
 //! page at the bytes of directives and formulas and puts something else in their place.
 
 mod code;
+mod exercise;
 mod figure;
 mod formula;
 mod listing;
 mod reference;
 mod statement;
 
+pub(crate) use exercise::{LIST, exercise_html, exercises_of_page};
 pub(crate) use statement::errata_anchor;
 
 use std::ops::Range;
@@ -20,6 +22,28 @@ use super::error::{BookError, Problem};
 use super::page::Page;
 use super::site::Site;
 
+/// Which line of its file a line of a text is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Lines {
+    /// The text is the file.
+    Same,
+    /// All of the text is made from this line.
+    At(usize),
+    /// The text stands in the file from this line on.
+    From(usize),
+}
+
+impl Lines {
+    /// The line of the file for a line of the text, both counted from 1.
+    fn of(self, line: usize) -> usize {
+        match self {
+            Self::Same => line,
+            Self::At(at) => at,
+            Self::From(first) => first + line - 1,
+        }
+    }
+}
+
 /// One page, or a part of it, on its way into the site.
 pub(crate) struct Expansion<'a> {
     pub(crate) site: &'a Site<'a>,
@@ -28,8 +52,8 @@ pub(crate) struct Expansion<'a> {
     pub(crate) address: &'a str,
     /// Whether this repeats what stands elsewhere: then it carries no anchors, since each exists once.
     pub(crate) repeated: bool,
-    /// The line to which errors belong, where the page is not a file of its own.
-    pub(crate) line: Option<usize>,
+    /// The lines to which errors belong.
+    pub(crate) lines: Lines,
 }
 
 impl Expansion<'_> {
@@ -83,7 +107,7 @@ impl Expansion<'_> {
 
     /// Reports a problem in a line of the page.
     fn report_line(&self, line: usize, problem: Problem) {
-        let line = self.line.unwrap_or(line);
+        let line = self.lines.of(line);
         self.site
             .report(BookError::new(&self.page.file, line, problem));
     }
@@ -92,7 +116,7 @@ impl Expansion<'_> {
     fn computed(&self, chapter: &str, name: &str, directive: &Directive) -> String {
         match self.site.registry.computed(chapter, name) {
             Ok(text) => {
-                let line = self.line.unwrap_or(directive.line);
+                let line = self.lines.of(directive.line);
                 let text = text.trim();
                 let expanded = fragment(self.site, self.page, self.address, line, text);
                 if directive.alone && text.contains('\n') {
@@ -117,9 +141,21 @@ pub(crate) fn fragment(
     line: usize,
     text: &str,
 ) -> String {
+    fragment_of(site, page, address, Lines::At(line), text)
+}
+
+/// Markdown that is not a page, expanded; errors belong to the lines `lines` of `page`.
+pub(crate) fn fragment_of(
+    site: &Site<'_>,
+    page: &Page,
+    address: &str,
+    lines: Lines,
+    text: &str,
+) -> String {
     let mut errors = Vec::new();
     let part = Page::parse(&page.file, text, &mut errors);
     for error in errors {
+        let line = lines.of(error.place.line);
         site.report(BookError::new(&page.file, line, error.problem));
     }
     Expansion {
@@ -127,7 +163,7 @@ pub(crate) fn fragment(
         page: &part,
         address,
         repeated: false,
-        line: Some(line),
+        lines,
     }
     .expand(0..text.len())
 }

@@ -129,6 +129,9 @@ impl Expansion<'_> {
 
     /// The link to a piece of evidence: an anchor of this page or a line of a source page.
     fn evidence_address(&self, block: &StatementBlock, place: &Place) -> String {
+        if let Some(exercise) = self.site.exercises.iter().find(|e| e.file() == place.file) {
+            return link(self.address, &self.site.exercise_address(exercise));
+        }
         if place
             .file
             .extension()

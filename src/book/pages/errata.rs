@@ -1,7 +1,7 @@
 //! The errata: what the lecture notes have wrong, each with its counterexample.
 
 use super::Generated;
-use crate::book::expand::{Expansion, errata_anchor};
+use crate::book::expand::{Expansion, Lines, errata_anchor};
 use crate::book::site::{Site, escape, title_html};
 
 /// Address of the page.
@@ -33,7 +33,7 @@ pub(super) fn page(site: &Site<'_>) -> Generated {
                     page,
                     address: ADDRESS,
                     repeated: true,
-                    line: None,
+                    lines: Lines::Same,
                 };
                 content.push_str(&format!(
                     "<section class=\"erratum\">\n<h2 id=\"{id}\"><a href=\"{href}\">{}</a> {}</h2>\n<p class=\"sources\">{sources}</p>\n\n{}\n\n</section>\n\n",

@@ -2,6 +2,7 @@
 
 mod bibliography;
 mod errata;
+mod exercises;
 mod glossary;
 mod notation;
 mod sources;
@@ -39,6 +40,7 @@ impl Generated {
 pub(crate) fn generate(site: &Site<'_>) -> Vec<Generated> {
     vec![
         statements::page(site),
+        exercises::page(site),
         errata::page(site),
         notation::page(site),
         glossary::page(site),

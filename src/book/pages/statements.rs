@@ -99,7 +99,7 @@ fn filter() -> String {
 }
 
 /// What a chapter is called.
-fn chapter_title(chapter: &str) -> &str {
+pub(super) fn chapter_title(chapter: &str) -> &str {
     match chapter {
         "affine" => "Affine geometry",
         "curves" => "Curves",

@@ -1,4 +1,5 @@
 //! The commands that need more than a few lines: their arguments and what they do.
 
+pub mod coverage;
 #[cfg(unix)]
 pub mod verify;

@@ -121,7 +121,7 @@ impl Verify {
 }
 
 /// A bar on the terminal; nothing where standard error is none.
-fn progress_bar() -> ProgressBar {
+pub(super) fn progress_bar() -> ProgressBar {
     let bar = ProgressBar::no_length();
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos} of {len} answers  {msg}") {
         bar.set_style(style);
