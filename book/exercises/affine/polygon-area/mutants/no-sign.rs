@@ -1,0 +1,11 @@
+//! misconception: an area is never negative
+
+/// Twice the area.
+pub fn twice_area(vertices: &[[i64; 2]]) -> i64 {
+    let next = vertices.iter().cycle().skip(1);
+    let edges = vertices.iter().zip(next);
+    edges
+        .map(|(p, q)| p[0] * q[1] - p[1] * q[0])
+        .sum::<i64>()
+        .abs()
+}
