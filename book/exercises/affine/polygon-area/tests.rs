@@ -34,7 +34,7 @@ fn a_triangle_at_the_origin() {
     compare(&[[0, 0], [2, 1], [1, 3]], 5);
 }
 
-/// The order of the vertices gives the sign.
+/// Why: the order of the vertices gives the sign.
 #[test]
 fn a_clockwise_triangle() {
     compare(&[[0, 0], [0, 3], [4, 0]], -12);
@@ -52,6 +52,20 @@ fn dents_and_straight_vertices() {
     // A square of side 4 without the triangle from its upper side down to (2, 1).
     compare(&[[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], 32 - 12);
     compare(&[[1, 1], [2, 1], [4, 1], [4, 3], [1, 3]], 12);
+}
+
+/// Why: a field has one area, whoever measures it, from whatever corner and origin.
+#[test]
+fn another_first_vertex_and_another_origin() {
+    let field = [[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]];
+    let here = answer::twice_area(&field);
+    for first in 1..5 {
+        let mut there = field.map(|[x, y]| [x + 3, y - 7]);
+        there.rotate_left(first);
+        claim("twice the area of a polygon that was moved, from another vertex on")
+            .input(format!("first {field:?}, then {there:?}"))
+            .equal(answer::twice_area(&there), here);
+    }
 }
 
 /// Why: products of coordinates of this size still fit.
