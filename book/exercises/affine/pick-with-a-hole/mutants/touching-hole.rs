@@ -1,0 +1,26 @@
+//! misconception: a hole may touch the outer boundary in a point, since it is cut out all the same
+
+/// A region between two polygons, and its numbers.
+pub struct Region {
+    /// The outer polygon.
+    pub outer: Vec<[i64; 2]>,
+    /// The hole.
+    pub hole: Vec<[i64; 2]>,
+    /// I.
+    pub interior: i64,
+    /// R.
+    pub boundary: i64,
+    /// 2A.
+    pub twice_area: i64,
+}
+
+/// A region for which the formula fails.
+pub fn region() -> Region {
+    Region {
+        outer: vec![[0, 0], [4, 0], [4, 4], [0, 4]],
+        hole: vec![[0, 2], [2, 1], [2, 3]],
+        interior: 5,
+        boundary: 19,
+        twice_area: 28,
+    }
+}
