@@ -58,6 +58,18 @@ enum Command {
     /// Prove exercises sound: the starter fails, the solution passes, every wrong answer is rejected
     #[cfg(unix)]
     Verify(commands::verify::Verify),
+    /// Show the exercises and how far you are
+    #[cfg(unix)]
+    List(commands::list::List),
+    /// Begin an exercise: shows the task and makes the file of your answer
+    #[cfg(unix)]
+    Start(commands::start::Start),
+    /// Compile and test your answer
+    #[cfg(unix)]
+    Check(commands::check::Check),
+    /// Name what to do next
+    #[cfg(unix)]
+    Next(commands::next::Next),
     /// Speak mdBook's preprocessor protocol; `mdbook` calls this
     #[command(hide = true)]
     Preprocessor {
@@ -98,6 +110,9 @@ pub(crate) enum Failure {
         pack.display()
     )]
     Pack { pack: PathBuf, reason: String },
+    #[cfg(unix)]
+    #[error(transparent)]
+    Command(#[from] commands::CommandError),
     #[error("{0}")]
     Preprocessor(String),
     #[error(
@@ -115,6 +130,18 @@ fn did_you_mean(similar: Option<&str>) -> String {
     similar.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
 }
 
+impl Failure {
+    fn is_broken_pipe(&self) -> bool {
+        let error = match self {
+            Self::Output(error) => error,
+            #[cfg(unix)]
+            Self::Command(commands::CommandError::Output(error)) => error,
+            _ => return false,
+        };
+        error.kind() == std::io::ErrorKind::BrokenPipe
+    }
+}
+
 /// How a command that ran ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -129,9 +156,7 @@ pub fn run() -> ExitCode {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::FallsShort) => ExitCode::from(1),
         // A reader that closes the pipe early, such as `head`, has what it wanted.
-        Err(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
-            ExitCode::SUCCESS
-        }
+        Err(failure) if failure.is_broken_pipe() => ExitCode::SUCCESS,
         Err(Failure::Book(errors)) => {
             eprintln!("{errors}");
             ExitCode::from(2)
@@ -165,6 +190,14 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Coverage(asked)) => asked.run(),
         #[cfg(unix)]
         Some(Command::Verify(verify)) => verify.run(),
+        #[cfg(unix)]
+        Some(Command::List(list)) => Ok(list.run()?),
+        #[cfg(unix)]
+        Some(Command::Start(start)) => Ok(start.run()?),
+        #[cfg(unix)]
+        Some(Command::Check(check)) => Ok(check.run()?),
+        #[cfg(unix)]
+        Some(Command::Next(next)) => Ok(next.run()?),
         Some(Command::Preprocessor { question }) => preprocessor(question),
     }
 }

@@ -2,6 +2,9 @@
 //!
 //! | module | is |
 //! |---|---|
+//! | [`answers`] | the reader's own answers, a small package |
+//! | [`progress`] | how far the reader is |
+//! | [`feedback`] | what a reader sees in the terminal |
 //! | [`checking`] | an answer is compiled, run and judged |
 //! | [`sandbox`] | running other people's programs |
 //! | [`command_line`] | the commands, their arguments and exit statuses |
@@ -12,10 +15,18 @@
 //! | [`watch`] | what to do when a source changes |
 
 #[cfg(unix)]
+pub mod answers;
+#[cfg(unix)]
 pub mod checking;
 pub mod command_line;
 mod commands;
+#[cfg(unix)]
+mod durable;
+#[cfg(unix)]
+pub mod feedback;
 pub mod house;
+#[cfg(unix)]
+pub mod progress;
 #[cfg(unix)]
 pub mod sandbox;
 pub mod server;

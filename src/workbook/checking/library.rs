@@ -12,6 +12,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use super::CheckingError;
+use crate::workbook::durable;
 
 /// The parts that an answer and its tests are compiled against.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -174,7 +175,7 @@ fn write_package(root: &Path, package: &Path) -> Result<(), CheckingError> {
 }
 
 /// The manifest of a package that depends on the mathematics as answers do.
-pub(crate) fn manifest(root: &Path) -> Result<String, CheckingError> {
+fn manifest(root: &Path) -> Result<String, CheckingError> {
     let file = root.join("Cargo.toml");
     let text = fs::read_to_string(&file).map_err(|e| CheckingError::file(&file, &e))?;
     let own: toml::Table =
@@ -184,28 +185,6 @@ pub(crate) fn manifest(root: &Path) -> Result<String, CheckingError> {
         .and_then(|table| table.get("proptest"))
         .cloned()
         .ok_or_else(|| CheckingError::Library("`Cargo.toml` does not name proptest".into()))?;
-    // The optimisation of the crates that compute exactly is worth it for answers too.
-    let profile = own
-        .get("profile")
-        .and_then(|table| table.get("dev"))
-        .and_then(|table| table.get("package"))
-        .and_then(toml::Value::as_table)
-        .map(|table| {
-            let core = [
-                "cagd",
-                "libm",
-                "num-bigint",
-                "num-integer",
-                "num-rational",
-                "num-traits",
-            ];
-            let kept = table
-                .iter()
-                .filter(|(name, _)| core.contains(&name.as_str()));
-            kept.map(|(name, value)| (name.clone(), value.clone()))
-                .collect::<toml::Table>()
-        })
-        .unwrap_or_default();
     let mut cagd = toml::Table::new();
     cagd.insert("path".into(), root.to_string_lossy().into_owned().into());
     cagd.insert("default-features".into(), false.into());
@@ -214,7 +193,7 @@ pub(crate) fn manifest(root: &Path) -> Result<String, CheckingError> {
     dependencies.insert("proptest".into(), proptest);
     let mut dev = toml::Table::new();
     dev.insert("debug".into(), 0.into());
-    dev.insert("package".into(), profile.into());
+    dev.insert("package".into(), core_profile(&own).into());
     let mut profiles = toml::Table::new();
     profiles.insert("dev".into(), dev.into());
     let mut library = toml::Table::new();
@@ -230,6 +209,28 @@ pub(crate) fn manifest(root: &Path) -> Result<String, CheckingError> {
     whole.insert("dependencies".into(), dependencies.into());
     whole.insert("profile".into(), profiles.into());
     toml::to_string(&whole).map_err(|e| CheckingError::Library(e.to_string()))
+}
+
+/// How the crates that compute are optimised; it is worth it for answers too.
+pub(crate) fn core_profile(manifest: &toml::Table) -> toml::Table {
+    let core = [
+        "cagd",
+        "libm",
+        "num-bigint",
+        "num-integer",
+        "num-rational",
+        "num-traits",
+    ];
+    manifest
+        .get("profile")
+        .and_then(|table| table.get("dev"))
+        .and_then(|table| table.get("package"))
+        .and_then(toml::Value::as_table)
+        .into_iter()
+        .flatten()
+        .filter(|(name, _)| core.contains(&name.as_str()))
+        .map(|(name, value)| (name.clone(), value.clone()))
+        .collect()
 }
 
 /// Builds the package and returns where the libraries `cagd` and `proptest` are.
@@ -290,19 +291,10 @@ fn cargo_build(folder: &Path) -> Result<[PathBuf; 2], CheckingError> {
     Ok([part("cagd")?, part("proptest")?])
 }
 
-/// Writes a file whole or not at all.
+/// Writes a file whole or not at all, if it is not there already.
 pub(crate) fn replace(file: &Path, bytes: &[u8]) -> Result<(), CheckingError> {
-    let folder = file.parent().unwrap_or(Path::new("."));
-    let write = || {
-        fs::create_dir_all(folder)?;
-        if fs::read(file).is_ok_and(|old| old == bytes) {
-            return Ok(());
-        }
-        let mut new = tempfile::NamedTempFile::new_in(folder)?;
-        std::io::Write::write_all(&mut new, bytes)?;
-        new.as_file().sync_all()?;
-        new.persist(file)?;
-        Ok(())
-    };
-    write().map_err(|e: std::io::Error| CheckingError::file(file, &e))
+    if fs::read(file).is_ok_and(|old| old == bytes) {
+        return Ok(());
+    }
+    durable::replace(file, bytes).map_err(|e| CheckingError::file(file, &e))
 }

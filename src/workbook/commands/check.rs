@@ -1,0 +1,173 @@
+//! `check`: compiles and tests the reader's answer.
+
+use std::fs;
+
+use clap::Args;
+
+use super::desk::shown;
+use super::start::starter_changed;
+use super::{CommandError, Desk, Place, print, print_json};
+use crate::book::exercise::{Exercise, Tested};
+use crate::workbook::checking::verdict::PictureStroke;
+use crate::workbook::checking::{Answer, Checker, Verdict};
+use crate::workbook::command_line::Outcome;
+use crate::workbook::durable;
+use crate::workbook::feedback::paint::{CODE, STRONG, paint};
+use crate::workbook::feedback::patience::patiently;
+use crate::workbook::feedback::report::{command, described};
+use crate::workbook::feedback::{braille, markdown, picture, terminal};
+use crate::workbook::progress::{Progress, now};
+use crate::workbook::sandbox::Isolation;
+
+/// The seed of the random input.
+///
+/// It stays the same, so that an input that fails is met again until the answer is mended.
+const SEED: u64 = 1;
+
+/// The arguments of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    /// The exercise; without it, the one begun last
+    name: Option<String>,
+    /// Mark an explanation as done, after you have compared it with the model answer
+    #[arg(long)]
+    done: bool,
+    /// Print the verdict as JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    place: Place,
+}
+
+impl Check {
+    /// Runs the command.
+    ///
+    /// # Errors
+    ///
+    /// It could not run.
+    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+        let desk = self.place.open()?;
+        let progress = desk.progress()?;
+        let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
+        let Some(tested) = &exercise.tested else {
+            return super::explain::check(&desk, exercise, self.done, self.json);
+        };
+        if self.done {
+            return Err(CommandError::Unfit(format!(
+                "`{}` is judged by its tests; `--done` is for explanations\nnext step: `cargo run -- check {0}`",
+                exercise.name
+            )));
+        }
+        let verdict = check(&desk, exercise, tested)?;
+        if self.json {
+            print_json(&verdict)?;
+        } else {
+            print(&feedback(&desk, exercise, &verdict)?)?;
+        }
+        Ok(if verdict.passed() {
+            Outcome::Fine
+        } else {
+            Outcome::FallsShort
+        })
+    }
+}
+
+/// Checks the answer and remembers how it ended.
+pub(super) fn check(
+    desk: &Desk,
+    exercise: &Exercise,
+    tested: &Tested,
+) -> Result<Verdict, CommandError> {
+    let file = desk.answers.file(exercise);
+    let Some(text) = desk.answers.read(exercise)? else {
+        let name = exercise.name.to_string();
+        return Err(CommandError::NotBegun { name });
+    };
+    let answer = Answer {
+        shown_as: shown(&file).display().to_string(),
+        text,
+    };
+    let checker = patiently(
+        "The library is compiled for your answers; this happens once",
+        || Checker::new(&desk.root, Isolation::best()),
+    )?;
+    let verdict = patiently("Your answer is compiled and tested", || {
+        checker.check(exercise, tested, &answer, SEED)
+    })?;
+    desk.update(|progress| {
+        progress.begun_last = Some(exercise.name.clone());
+        let entry = progress.entry(&exercise.name);
+        entry.begun.get_or_insert_with(now);
+        entry.checks += 1;
+        if verdict.passed() {
+            entry.solved.get_or_insert_with(now);
+        }
+    })?;
+    Ok(verdict)
+}
+
+/// All that the reader is told about a verdict.
+pub(super) fn feedback(
+    desk: &Desk,
+    exercise: &Exercise,
+    verdict: &Verdict,
+) -> Result<String, CommandError> {
+    let progress = desk.progress()?;
+    let strokes = verdict
+        .first_failure()
+        .and_then(|test| test.picture.as_deref())
+        .unwrap_or_default();
+    let drawn = terminal::can_draw()
+        .then(|| braille::drawn(strokes, terminal::has_colours()))
+        .flatten();
+    let mut text = described(verdict, &exercise.front.title, drawn.as_deref());
+    if let Some(file) = save_picture(desk, exercise, strokes) {
+        text.push_str(&format!("\n  picture  {}\n", paint(CODE, file)));
+    }
+    if verdict.passed() {
+        text.push_str(&after_success(desk, exercise, &progress));
+        return Ok(text);
+    }
+    let entry = progress.of(&exercise.name);
+    if desk.starter_changed(exercise, &entry) {
+        text.push('\n');
+        text.push_str(&starter_changed(exercise));
+    }
+    let file = shown(&desk.answers.file(exercise));
+    text.push_str(&format!(
+        "\nnext step: mend {}, then {}\n",
+        paint(CODE, file.display()),
+        command("check")
+    ));
+    let left = exercise.document.hints.len().saturating_sub(entry.hints);
+    if left > 0 {
+        text.push_str(&format!("           or take a hint: {}\n", command("hint")));
+    }
+    Ok(text)
+}
+
+/// Draws the picture into a file and returns its name; a picture of an earlier check goes away.
+///
+/// A picture that cannot be drawn or saved is no reason to withhold the verdict.
+fn save_picture(desk: &Desk, exercise: &Exercise, strokes: &[PictureStroke]) -> Option<String> {
+    let file = desk.answers.picture(&exercise.name);
+    let drawn = picture::svg(&exercise.front.title, strokes).ok().flatten();
+    let Some(svg) = drawn else {
+        let _ = fs::remove_file(&file);
+        return None;
+    };
+    durable::replace(&file, svg.as_bytes()).ok()?;
+    Some(shown(&file).display().to_string())
+}
+
+/// What is worth knowing once it is solved, and what comes next.
+pub(super) fn after_success(desk: &Desk, exercise: &Exercise, progress: &Progress) -> String {
+    let mut text = String::new();
+    if let Some(afterwards) = &exercise.document.afterwards {
+        text.push_str(&format!("\n{}\n\n", paint(STRONG, "Afterwards")));
+        text.push_str(&markdown::rendered(&afterwards.text, &desk.catalogue));
+    }
+    text.push('\n');
+    text.push_str(&super::next::sentence(desk, progress));
+    text
+}

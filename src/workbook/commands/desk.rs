@@ -1,0 +1,178 @@
+//! What every command of the reader works with: the exercises, the answers, the progress.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::CommandError;
+use crate::book::catalogue::Catalogue;
+use crate::book::error::most_similar;
+use crate::book::exercise::{Exercise, ExerciseName, Exercises};
+use crate::workbook::answers::{self, Answers};
+use crate::workbook::house;
+use crate::workbook::progress::{Entry, Progress, Store, digest};
+
+/// Where exercises and answers are.
+#[derive(Debug, Args)]
+pub struct Place {
+    /// A folder with more exercises, laid out like `book/exercises`; may be given again
+    #[arg(long = "pack", value_name = "DIR")]
+    packs: Vec<PathBuf>,
+    /// The folder of the answers, instead of `answers`
+    #[arg(long, value_name = "DIR", hide = true)]
+    answers: Option<PathBuf>,
+}
+
+/// Everything that a command of the reader works with.
+#[derive(Debug)]
+pub struct Desk {
+    /// The root of the workbook.
+    pub root: PathBuf,
+    /// All statements.
+    pub catalogue: Catalogue,
+    /// All exercises.
+    pub exercises: Exercises,
+    /// The reader's answers.
+    pub answers: Answers,
+    /// The file of the progress.
+    pub store: Store,
+}
+
+impl Place {
+    /// Reads the exercises and finds the answers.
+    ///
+    /// # Errors
+    ///
+    /// There is no workbook here, or the exercises have errors.
+    pub fn open(&self) -> Result<Desk, CommandError> {
+        let root = house::find()?;
+        let catalogue = Catalogue::load(&root)?;
+        // A folder on the command line is meant from where the reader stands.
+        let absolute = |path: &Path| std::path::absolute(path).map_err(CommandError::Output);
+        let packs = self
+            .packs
+            .iter()
+            .map(|pack| absolute(pack))
+            .collect::<Result<Vec<_>, _>>()?;
+        if let Some(missing) = packs.iter().find(|pack| !pack.is_dir()) {
+            let pack = missing.display();
+            let text = format!(
+                "there is no folder `{pack}`\nnext step: name the folder that holds the chapters of the pack"
+            );
+            return Err(CommandError::Unfit(text));
+        }
+        let exercises = Exercises::load(&root, &packs, &catalogue)?;
+        let folder = match &self.answers {
+            Some(folder) => absolute(folder)?,
+            None => root.join(answers::FOLDER),
+        };
+        Ok(Desk {
+            answers: Answers::new(&root, &folder),
+            store: Store::new(&folder),
+            root,
+            catalogue,
+            exercises,
+        })
+    }
+}
+
+impl Desk {
+    /// The exercise of this name; the chapter may be left out where the rest says which one is meant.
+    ///
+    /// # Errors
+    ///
+    /// There is none, with the most similar name.
+    pub fn exercise(&self, name: &str) -> Result<&Exercise, CommandError> {
+        let parsed = name.parse::<ExerciseName>().ok();
+        if let Some(exercise) = parsed.as_ref().and_then(|name| self.exercises.get(name)) {
+            return Ok(exercise);
+        }
+        let mut short = self
+            .exercises
+            .iter()
+            .filter(|exercise| exercise.name.name() == name);
+        if let (Some(exercise), None) = (short.next(), short.next()) {
+            return Ok(exercise);
+        }
+        if let Some(file) = parsed.and_then(|name| self.answers.any_file(&name)) {
+            return Err(CommandError::LeftTheBook {
+                name: name.to_owned(),
+                file: shown(&file),
+            });
+        }
+        let similar = self.exercises.similar(name).or_else(|| {
+            let names = self.exercises.iter().map(|exercise| exercise.name.name());
+            let short = most_similar(name, names)?;
+            let whole = self.exercises.iter().find(|e| e.name.name() == short)?;
+            Some(whole.name.to_string())
+        });
+        Err(CommandError::UnknownExercise {
+            name: name.to_owned(),
+            similar,
+        })
+    }
+
+    /// The exercise of this name, or without a name the one begun last.
+    ///
+    /// # Errors
+    ///
+    /// There is none.
+    pub fn exercise_or_last(
+        &self,
+        name: Option<&str>,
+        progress: &Progress,
+    ) -> Result<&Exercise, CommandError> {
+        match (name, &progress.begun_last) {
+            (Some(name), _) => self.exercise(name),
+            (None, Some(last)) => self.exercise(&last.to_string()),
+            (None, None) => Err(CommandError::NothingBegun),
+        }
+    }
+
+    /// The progress; what is to be told about a file that cannot be used goes to standard error.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read.
+    pub fn progress(&self) -> Result<Progress, CommandError> {
+        let (progress, notice) = self.store.read()?;
+        tell(notice);
+        Ok(progress)
+    }
+
+    /// Changes the progress.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read or written.
+    pub fn update<T>(&self, change: impl FnOnce(&mut Progress) -> T) -> Result<T, CommandError> {
+        let (value, notice) = self.store.update(change)?;
+        tell(notice);
+        Ok(value)
+    }
+
+    /// Whether the starter is another than the one with which the reader began.
+    pub fn starter_changed(&self, exercise: &Exercise, entry: &Entry) -> bool {
+        match (&entry.starter, &exercise.tested, entry.seed) {
+            (Some(known), Some(tested), None) => *known != digest(&tested.answer.starter),
+            _ => false,
+        }
+    }
+
+    /// Whether there is an answer, finished or not.
+    pub fn is_begun(&self, exercise: &Exercise) -> bool {
+        self.answers.file(exercise).is_file()
+    }
+}
+
+fn tell(notice: Option<String>) {
+    if let Some(notice) = notice {
+        anstream::eprintln!("{notice}\n");
+    }
+}
+
+/// A path as the reader would type it: from where he stands, if it is below.
+pub fn shown(path: &Path) -> PathBuf {
+    let here = std::env::current_dir().unwrap_or_default();
+    path.strip_prefix(&here).unwrap_or(path).to_path_buf()
+}

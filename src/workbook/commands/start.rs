@@ -1,0 +1,164 @@
+//! `start`: begins an exercise.
+
+use clap::Args;
+use serde::Serialize;
+
+use super::desk::shown;
+use super::{CommandError, Desk, Place, print, print_json};
+use crate::book::exercise::{Exercise, ExerciseKind};
+use crate::workbook::answers::Begun;
+use crate::workbook::command_line::Outcome;
+use crate::workbook::feedback::markdown;
+use crate::workbook::feedback::paint::{ATTENTION, CODE, FAINT, STRONG, paint, wrapped};
+use crate::workbook::feedback::report::command;
+use crate::workbook::progress::{Entry, digest, now};
+
+/// The arguments of `start`.
+#[derive(Debug, Args)]
+pub struct Start {
+    /// The exercise: `chapter/name`, or the name alone
+    name: String,
+    /// Deal fresh numbers, the same ones for the same seed
+    #[arg(long, value_name = "SEED", num_args = 0..=1)]
+    fresh: Option<Option<u64>>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    place: Place,
+}
+
+/// What `start --json` prints.
+#[derive(Debug, Serialize)]
+struct Started {
+    exercise: String,
+    file: String,
+    /// Whether the file is new; an answer that was there is left alone.
+    new: bool,
+    task: String,
+}
+
+impl Start {
+    /// Runs the command.
+    ///
+    /// # Errors
+    ///
+    /// It could not run.
+    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+        let desk = self.place.open()?;
+        let exercise = desk.exercise(&self.name)?;
+        if self.fresh.is_some() {
+            return Err(CommandError::Unfit(format!(
+                "`{}` has no fresh numbers; only tableaux to compute by hand have\n\
+                 next step: start it without `--fresh`",
+                exercise.name
+            )));
+        }
+        // The package is new with its first answer; then the reader is told how an editor completes in it.
+        let is_first = !desk.answers.folder().join("Cargo.toml").is_file();
+        let begun = begin(&desk, exercise)?;
+        let file = shown(&desk.answers.file(exercise)).display().to_string();
+        if self.json {
+            print_json(&Started {
+                exercise: exercise.name.to_string(),
+                file,
+                new: begun == Begun::New,
+                task: exercise.document.task.text.clone(),
+            })?;
+            return Ok(Outcome::Fine);
+        }
+        let mut text = task(&desk, exercise);
+        text.push('\n');
+        let progress = desk.progress()?;
+        match begun {
+            Begun::New => text.push_str(&format!("Your file: {}\n", paint(CODE, &file))),
+            Begun::AlreadyThere => {
+                text.push_str(&format!(
+                    "Your file: {} (it was there already and is as you left it)\n",
+                    paint(CODE, &file)
+                ));
+                if desk.starter_changed(exercise, &progress.of(&exercise.name)) {
+                    text.push_str(&starter_changed(exercise));
+                }
+            }
+        }
+        if is_first {
+            let folder = shown(desk.answers.folder()).display().to_string();
+            let note = format!(
+                "Open the folder {} in your editor: it is a small Cargo package, so that rust-analyzer completes.",
+                paint(CODE, folder)
+            );
+            text.push_str(&wrapped(&note, "", ""));
+        }
+        text.push_str(&what_next(exercise));
+        print(&text)?;
+        Ok(Outcome::Fine)
+    }
+}
+
+/// Makes the file of the answer and remembers that it was begun.
+pub(super) fn begin(desk: &Desk, exercise: &Exercise) -> Result<Begun, CommandError> {
+    let starter = match &exercise.tested {
+        Some(tested) => tested.answer.starter.clone(),
+        None => format!("# {}\n\nWrite your answer here.\n", exercise.front.title),
+    };
+    let begun = desk.answers.begin(exercise, &starter)?;
+    desk.update(|progress| {
+        progress.begun_last = Some(exercise.name.clone());
+        let entry = progress.entry(&exercise.name);
+        if begun == Begun::New {
+            *entry = Entry {
+                starter: exercise.tested.as_ref().map(|_| digest(&starter)),
+                // What was reached before the file went away stays true.
+                solved: entry.solved,
+                hints: entry.hints,
+                checks: entry.checks,
+                asked_for_solution: entry.asked_for_solution,
+                ..Entry::default()
+            };
+        }
+        entry.begun.get_or_insert_with(now);
+    })?;
+    Ok(begun)
+}
+
+/// The task with its heading.
+fn task(desk: &Desk, exercise: &Exercise) -> String {
+    let front = &exercise.front;
+    let facts = format!(
+        "{} · {} · difficulty {} of 5 · about {} minutes",
+        exercise.name,
+        front.kind.title(),
+        front.difficulty,
+        front.minutes
+    );
+    format!(
+        "{}\n{}\n\n{}",
+        paint(STRONG, &front.title),
+        paint(FAINT, facts),
+        markdown::rendered(&exercise.document.task.text, &desk.catalogue)
+    )
+}
+
+/// That the starter is another one now, and what to do about it.
+pub(super) fn starter_changed(exercise: &Exercise) -> String {
+    let note = format!(
+        "The starter has changed since you began. Your answer is left alone. {} gives you the new starter and keeps your answer as a backup.",
+        command(&format!("reset {}", exercise.name))
+    );
+    wrapped(&note, &paint(ATTENTION, "» "), "  ")
+}
+
+fn what_next(exercise: &Exercise) -> String {
+    let check = if exercise.front.kind == ExerciseKind::Explain {
+        "shows what a good answer says"
+    } else {
+        "tests your answer"
+    };
+    format!(
+        "\n{}  {check}\n{}  tests it whenever you save\n{}   helps a little\n",
+        command("check"),
+        command("watch"),
+        command("hint"),
+    )
+}
