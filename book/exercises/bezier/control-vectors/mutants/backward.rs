@@ -1,0 +1,15 @@
+//! misconception: a difference is the earlier point minus the later one, so the curve runs backwards
+
+use cagd::affine::{Point, Vector};
+use cagd::scalar::Scalar;
+
+/// The control vectors of the derivative of the curve with the control points b, at least one.
+pub fn control_vectors<T: Scalar>(b: &[Point<T, 2>]) -> Vec<Vector<T, 2>> {
+    if b.len() == 1 {
+        return vec![Vector::zeros()];
+    }
+    let n = b.len() as i64 - 1;
+    b.windows(2)
+        .map(|leg| (leg[0].clone() - leg[1].clone()) * T::from_integer(n))
+        .collect()
+}

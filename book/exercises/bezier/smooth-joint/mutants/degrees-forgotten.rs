@@ -1,0 +1,14 @@
+//! misconception: the leg grows with the interval, and the degrees of the two pieces do not matter
+
+use cagd::affine::Point;
+use cagd::scalar::Scalar;
+
+/// The points c₀ and c₁ of the second piece, of degree m, for a C¹ joint.
+pub fn joint<T: Scalar>(b: &[Point<T, 2>], lengths: [T; 2], m: usize) -> [Point<T, 2>; 2] {
+    let n = b.len() - 1;
+    let [h0, h1] = lengths;
+    let _ = m;
+    let ratio = h1 / h0;
+    let leg = b[n].clone() - b[n - 1].clone();
+    [b[n].clone(), b[n].clone() + leg * ratio]
+}

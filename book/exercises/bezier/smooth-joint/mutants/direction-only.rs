@@ -1,0 +1,12 @@
+//! misconception: it is enough that the two legs at the joint are equal; speed is not a matter of the intervals and the degrees
+
+use cagd::affine::Point;
+use cagd::scalar::Scalar;
+
+/// The points c₀ and c₁ of the second piece, of degree m, for a C¹ joint.
+pub fn joint<T: Scalar>(b: &[Point<T, 2>], lengths: [T; 2], m: usize) -> [Point<T, 2>; 2] {
+    let n = b.len() - 1;
+    let _ = (lengths, m);
+    let leg = b[n].clone() - b[n - 1].clone();
+    [b[n].clone(), b[n].clone() + leg]
+}
