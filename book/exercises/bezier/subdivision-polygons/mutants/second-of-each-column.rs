@@ -1,0 +1,23 @@
+//! misconception: the points inside the right polygon are the second ones of the columns; they are the last ones
+
+use cagd::affine::{Affine, Point};
+use cagd::scalar::Scalar;
+
+/// The control points of the left piece and of the right piece of the curve with the control points b, cut at α.
+pub fn subdivided<T: Scalar>(b: &[Point<T, 2>], alpha: T) -> [Vec<Point<T, 2>>; 2] {
+    let mut column = b.to_vec();
+    let mut left = Vec::new();
+    let mut right = Vec::new();
+    for _ in 0..b.len() {
+        left.push(column[0].clone());
+        let inner = left.len() > 1 && column.len() > 1;
+        let place = if inner { 1 } else { column.len() - 1 };
+        right.push(column[place].clone());
+        column = column
+            .windows(2)
+            .map(|pair| pair[0].lerp(&pair[1], alpha.clone()))
+            .collect();
+    }
+    right.reverse();
+    [left, right]
+}
