@@ -1,0 +1,21 @@
+//! misconception: the blossom of a power is that power of the mean of the arguments
+
+use cagd::scalar::Scalar;
+
+/// The blossom of X, read as a polynomial of degree at most 4.
+pub fn blossom_of_x<T: Scalar>(x: &[T; 4]) -> T {
+    let [x1, x2, x3, x4] = x.clone();
+    (x1 + x2 + x3 + x4) * T::from_ratio(1, 4)
+}
+
+/// The blossom of X², read as a polynomial of degree at most 4.
+pub fn blossom_of_x2<T: Scalar>(x: &[T; 4]) -> T {
+    let mean = blossom_of_x(x);
+    mean.clone() * mean
+}
+
+/// The blossom of X⁴.
+pub fn blossom_of_x4<T: Scalar>(x: &[T; 4]) -> T {
+    let square = blossom_of_x2(x);
+    square.clone() * square
+}
