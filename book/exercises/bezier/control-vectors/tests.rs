@@ -59,6 +59,7 @@ fn a_cubic() {
     );
 }
 
+/// Why: degree 0 is easily forgotten.
 #[test]
 fn a_single_point() {
     compare(&[[7, 1]], vectors(&[[0, 0]]));

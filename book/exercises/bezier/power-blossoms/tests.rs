@@ -45,6 +45,7 @@ fn by_hand() {
 }
 
 proptest! {
+    /// Why: the first of the three properties.
     #[test]
     fn on_the_diagonal(t in -20..=20_i64) {
         let t = fraction(t, 2);
@@ -56,6 +57,7 @@ proptest! {
         }
     }
 
+    /// Why: the second property, for any two arguments.
     #[test]
     fn symmetric(x in prop::array::uniform4(-9..=9_i64), i in 0..4_usize, k in 0..4_usize) {
         let mut swapped = x;
@@ -68,6 +70,7 @@ proptest! {
         }
     }
 
+    /// Why: the third property, for every argument.
     #[test]
     fn affine_in_each_argument(
         x in prop::array::uniform4(-9..=9_i64),

@@ -21,6 +21,11 @@ fn probes() -> Vec<String> {
     cagd::probes![
         answer::joint(&b, [fraction(1, 1), fraction(2, 1)], 3),
         answer::joint(&b, [fraction(3, 1), fraction(1, 1)], 2),
+        answer::joint(
+            &points(&[[0, 0], [5, 1], [5, 1]]),
+            [fraction(1, 1), fraction(1, 1)],
+            2
+        ),
     ]
 }
 
@@ -53,6 +58,7 @@ fn twins() {
     );
 }
 
+/// Why: only the lengths differ.
 #[test]
 fn twice_the_time() {
     compare(
@@ -63,12 +69,13 @@ fn twice_the_time() {
     );
 }
 
+/// Why: only the degrees differ.
 #[test]
 fn another_degree() {
     compare(&[[0, 0], [3, 6]], [1, 1], 3, [[3, 6], [4, 8]].map(point));
 }
 
-/// Why: a last leg without length means that the first piece ends at rest.
+/// Why: a last leg without length means that the first piece ends at rest, and the second begins so.
 #[test]
 fn at_rest() {
     compare(

@@ -43,6 +43,7 @@ fn a_parabola() {
     compare(&PARABOLA, &fraction(1, 5), 3);
 }
 
+/// Why: equality is allowed, so one more halving is too many.
 #[test]
 fn the_bound_is_the_tolerance() {
     compare(&PARABOLA, &fraction(4, 1), 0);
@@ -85,6 +86,11 @@ proptest! {
         let right = curve.subdivision_depth(&tolerance, maximum_norm).expect("a positive tolerance");
         compare(&b, &tolerance, right);
     }
+}
+
+proptest! {
+    // Fewer cases, for each looks at up to sixteen pieces.
+    #![proptest_config(ProptestConfig::with_cases(32))]
 
     /// Why: it shows what the number is for; after so many halvings every piece is near its chord.
     #[test]

@@ -86,6 +86,9 @@ fn at_the_ends() {
 }
 
 proptest! {
+    // Fewer cases, for each compares two polynomials.
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// Why: it compares the motion of the pieces with that of the curve, and not the points.
     #[test]
     fn the_pieces_make_up_the_curve(

@@ -1,0 +1,33 @@
+//! misconception: symmetric and right on the diagonal is enough; there cannot be two such functions
+
+use cagd::law::{Rounding, Sides};
+use cagd::scalar::Scalar;
+
+/// Claims that `function` is the blossom of `polynomial`, as far as it can be seen at x, v and λ.
+pub fn law<T: Scalar>(
+    function: impl Fn(&[T]) -> T,
+    polynomial: impl Fn(&T) -> T,
+    x: &[T],
+    v: &T,
+    lambda: &T,
+) -> Sides<T> {
+    let _ = (v, lambda);
+    let mut sides = Sides::new(format!("x = {x:?}, v = {v}, λ = {lambda}"));
+    for i in 1..x.len() {
+        let mut swapped = x.to_vec();
+        swapped.swap(i - 1, i);
+        sides = sides.equal(
+            "symmetric",
+            [function(&swapped)],
+            [function(x)],
+            Rounding::none(),
+        );
+    }
+    let diagonal = vec![x[0].clone(); x.len()];
+    sides.equal(
+        "diagonal",
+        [function(&diagonal)],
+        [polynomial(&x[0])],
+        Rounding::none(),
+    )
+}
