@@ -16,6 +16,5 @@ pub fn subdivided<T: Scalar>(b: &[Point<T, 2>], alpha: T) -> [Vec<Point<T, 2>>; 
             .map(|pair| pair[0].lerp(&pair[1], alpha.clone()))
             .collect();
     }
-
     [left, right]
 }
