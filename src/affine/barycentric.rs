@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-use super::elimination::solve;
-use super::{Affine, Point};
+use super::{Affine, CombinationError, Frame, Point};
 use crate::scalar::Scalar;
 
 /// D + 1 points of dimension D that do not lie in a hyperplane: the corners of a simplex.
@@ -56,7 +55,7 @@ pub enum AffineBasisError {
     },
     /// The points lie in a hyperplane (on a line, if there are three in the plane).
     #[error(
-        "the points {points} are no affine basis: they lie in a common hyperplane; move one of them out of it"
+        "the points {points} are no affine basis: they lie in a common hyperplane, as far as rounding can tell; move one of them out of it"
     )]
     Dependent {
         /// The points.
@@ -67,8 +66,8 @@ pub enum AffineBasisError {
 impl<T: Scalar, const D: usize> AffineBasis<T, D> {
     /// The basis of these D + 1 points.
     ///
-    /// Over rounded numbers, points that miss a hyperplane by a rounding error only may be accepted;
-    /// coordinates with respect to them are large and inaccurate, as they are for every method.
+    /// Over rounded numbers, points so close to a hyperplane that rounding could have put them there are refused:
+    /// coordinates with respect to them would consist of rounding errors.
     ///
     /// # Errors
     ///
@@ -100,7 +99,7 @@ impl<T: Scalar, const D: usize> AffineBasis<T, D> {
             }
         }
         let basis = Self { points };
-        if basis.solve(&basis.points[0]).is_some() {
+        if basis.frame().is_regular() {
             Ok(basis)
         } else {
             let points: Vec<String> = basis.points.iter().map(ToString::to_string).collect();
@@ -121,9 +120,7 @@ impl<T: Scalar, const D: usize> AffineBasis<T, D> {
     /// For `f64` they come from elimination with pivoting, and λ₀ = 1 − λ₁ − … − λ_D.
     #[must_use]
     pub fn coordinates(&self, point: &Point<T, D>) -> Vec<T> {
-        let others = self
-            .solve(point)
-            .expect("the constructor has seen that the points are independent");
+        let others = self.frame().coordinates(point);
         let first = others
             .iter()
             .fold(T::one(), |rest, coordinate| rest - coordinate.clone());
@@ -134,36 +131,35 @@ impl<T: Scalar, const D: usize> AffineBasis<T, D> {
     ///
     /// # Errors
     ///
-    /// [`CombinationError`](super::CombinationError) if their sum is not 1.
+    /// [`CombinationError::Count`] if there are not D + 1 coordinates, [`CombinationError`] if their sum is not 1.
     ///
-    /// # Panics
+    /// ```
+    /// use cagd::affine::{AffineBasis, CombinationError, Point};
     ///
-    /// If there are not D + 1 coordinates.
-    pub fn point(&self, coordinates: &[T]) -> Result<Point<T, D>, super::CombinationError> {
-        assert_eq!(
-            coordinates.len(),
-            D + 1,
-            "a point of dimension {D} has {} barycentric coordinates",
-            D + 1
-        );
+    /// let triangle = AffineBasis::<f64, 2>::standard();
+    /// assert_eq!(triangle.point(&[0.25, 0.5, 0.25])?, Point::new([0.5, 0.25]));
+    /// assert!(matches!(triangle.point(&[0.5, 0.5]), Err(CombinationError::Count { expected: 3, found: 2 })));
+    /// assert!(matches!(triangle.point(&[1.0, 1.0, 1.0]), Err(CombinationError::WeightSum { .. })));
+    /// # Ok::<(), CombinationError>(())
+    /// ```
+    pub fn point(&self, coordinates: &[T]) -> Result<Point<T, D>, CombinationError> {
+        if coordinates.len() != D + 1 {
+            return Err(CombinationError::Count {
+                expected: D + 1,
+                found: coordinates.len(),
+            });
+        }
         Point::affine_combination(std::iter::zip(
             coordinates.iter().cloned(),
             self.points.iter().cloned(),
         ))
     }
 
-    /// Solves Σᵢ₌₁ λᵢ·(pᵢ − p₀) = x − p₀; `None` if the differences are dependent.
-    fn solve(&self, point: &Point<T, D>) -> Option<Vec<T>> {
-        let origin = &self.points[0];
-        let edges: Vec<_> = self.points[1..]
-            .iter()
-            .map(|p| p.difference(origin))
-            .collect();
-        let target = point.difference(origin);
-        let matrix = (0..D).map(|k| edges.iter().map(|edge| edge[k].clone()).collect());
-        let right = (0..D).map(|k| vec![target[k].clone()]);
-        let solution = solve(matrix.collect(), right.collect())?;
-        Some(solution.into_iter().flatten().collect())
+    /// The frame of the first point and of the vectors from there to the others.
+    #[must_use]
+    pub fn frame(&self) -> Frame<T, D> {
+        let axis = |i: usize| self.points[i + 1].difference(&self.points[0]);
+        Frame::trusted(self.points[0].clone(), std::array::from_fn(axis))
     }
 
     /// The basis of the origin and the unit points of the axes.

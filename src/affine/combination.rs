@@ -3,6 +3,7 @@
 use num_traits::{One, Zero};
 use thiserror::Error;
 
+use super::origin::vector_seen_from;
 use super::{Point, Vector};
 use crate::law::gamma;
 use crate::scalar::Scalar;
@@ -58,6 +59,7 @@ pub trait Affine: Clone + PartialEq + std::fmt::Debug + Send + Sync + 'static {
     /// # Errors
     ///
     /// [`CombinationError::Empty`] if there is no term,
+    /// [`CombinationError::NotFinite`] if a weight or a coordinate is not finite,
     /// [`CombinationError::WeightSum`] if exact weights do not sum to 1, or if rounded weights
     /// miss 1 by more than the rounding of n weights and of their sum allows, γₙ₊₁·Σ|wᵢ|.
     ///
@@ -69,40 +71,115 @@ pub trait Affine: Clone + PartialEq + std::fmt::Debug + Send + Sync + 'static {
     /// let corners = [Point::new([0.0, 0.0]), Point::new([4.0, 0.0]), Point::new([0.0, 8.0])];
     /// let centre = Point::affine_combination([0.5, 0.25, 0.25].into_iter().zip(corners))?;
     /// assert_eq!(centre, Point::new([1.0, 2.0]));
+    ///
+    /// let refused = Point::affine_combination([0.5, 0.25, 0.5].into_iter().zip(corners)).unwrap_err();
+    /// assert!(refused.to_string().contains("must sum to 1, not to 1.25"));
     /// # Ok::<(), cagd::affine::CombinationError>(())
     /// ```
     fn affine_combination(
         terms: impl IntoIterator<Item = (Self::Scalar, Self)>,
     ) -> Result<Self, CombinationError> {
-        let mut coordinates = vec![Self::Scalar::zero(); Self::DIMENSION];
-        let mut sum = Self::Scalar::zero();
-        let mut magnitude = 0.0;
-        let mut count = 0;
-        for (weight, point) in terms {
-            for (total, coordinate) in coordinates.iter_mut().zip(point.coordinates()) {
-                *total += weight.clone() * coordinate.clone();
-            }
-            magnitude += weight.magnitude();
-            sum += weight;
-            count += 1;
+        let terms: Vec<_> = terms.into_iter().collect();
+        check_terms("an affine combination", &terms)?;
+        if !sums_to(terms.iter().map(|(weight, _)| weight), Self::Scalar::one()) {
+            return Err(CombinationError::WeightSum {
+                count: terms.len(),
+                found: weight_sum(&terms).to_string(),
+            });
         }
-        if count == 0 {
-            return Err(CombinationError::Empty);
+        Ok(Self::from_fn(|k| {
+            terms
+                .iter()
+                .fold(Self::Scalar::zero(), |sum, (weight, point)| {
+                    sum + weight.clone() * point.coordinates()[k].clone()
+                })
+        }))
+    }
+
+    /// The vector `Σ weightᵢ · pointᵢ` with coefficient sum 0, such as `B − A`.
+    ///
+    /// It is computed from the first point, as Σ weightᵢ·(pointᵢ − point₀), which no choice of the origin changes.
+    ///
+    /// # Errors
+    ///
+    /// [`CombinationError::Empty`] if there is no term,
+    /// [`CombinationError::NotFinite`] if a weight or a coordinate is not finite,
+    /// [`CombinationError::VectorWeightSum`] if exact weights do not sum to 0, or if rounded weights
+    /// miss 0 by more than the rounding of n weights and of their sum allows, γₙ₊₁·Σ|wᵢ|.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cagd::affine::{Affine, Point, Vector};
+    ///
+    /// let [a, b] = [[1.0, 1.0], [4.0, 3.0]].map(Point::new);
+    /// assert_eq!(Point::vector_combination([(-1.0, a), (1.0, b)])?, b - a);
+    /// assert!(Point::vector_combination([(1.0, a), (1.0, b)]).is_err());
+    /// # Ok::<(), cagd::affine::CombinationError>(())
+    /// ```
+    fn vector_combination(
+        terms: impl IntoIterator<Item = (Self::Scalar, Self)>,
+    ) -> Result<Self::Difference, CombinationError> {
+        let terms: Vec<_> = terms.into_iter().collect();
+        check_terms("a vector combination", &terms)?;
+        if !sums_to(terms.iter().map(|(weight, _)| weight), Self::Scalar::zero()) {
+            return Err(CombinationError::VectorWeightSum {
+                count: terms.len(),
+                found: weight_sum(&terms).to_string(),
+            });
         }
-        let defect = (sum.clone() - Self::Scalar::one()).magnitude();
-        let allowed = if Self::Scalar::EXACT {
-            0.0
-        } else {
-            gamma(count + 1) * magnitude
-        };
-        if defect <= allowed {
-            Ok(Self::from_fn(|k| coordinates[k].clone()))
-        } else {
-            Err(CombinationError::WeightSum {
-                count,
-                found: sum.to_string(),
-            })
-        }
+        Ok(vector_seen_from(&terms[0].1, &terms))
+    }
+}
+
+/// Refuses what is empty or not finite.
+pub(super) fn check_terms<P: Affine>(
+    what: &'static str,
+    terms: &[(P::Scalar, P)],
+) -> Result<(), CombinationError> {
+    if terms.is_empty() {
+        return Err(CombinationError::Empty { what });
+    }
+    let finite = |(weight, point): &(P::Scalar, P)| {
+        weight.is_finite() && point.coordinates().iter().all(Scalar::is_finite)
+    };
+    match terms.iter().position(|term| !finite(term)) {
+        None => Ok(()),
+        Some(index) => Err(CombinationError::NotFinite {
+            what,
+            index,
+            weight: terms[index].0.to_string(),
+            point: written(&terms[index].1),
+        }),
+    }
+}
+
+/// The coordinates of a point as `(x, y)`.
+pub(super) fn written<P: Affine>(point: &P) -> String {
+    let coordinates = point.coordinates().iter().map(ToString::to_string);
+    format!("({})", coordinates.collect::<Vec<_>>().join(", "))
+}
+
+pub(super) fn weight_sum<P: Affine>(terms: &[(P::Scalar, P)]) -> P::Scalar {
+    terms
+        .iter()
+        .fold(P::Scalar::zero(), |sum, (weight, _)| sum + weight.clone())
+}
+
+/// Whether weights sum to `target`: exactly, or as far as the rounding of n weights and of their sum can tell.
+pub(super) fn sums_to<'a, T: Scalar>(weights: impl Iterator<Item = &'a T>, target: T) -> bool {
+    let (mut sum, mut magnitude, mut count) = (T::zero(), 0.0, 0);
+    for weight in weights {
+        sum += weight.clone();
+        magnitude += weight.magnitude();
+        count += 1;
+    }
+    if T::EXACT {
+        sum == target
+    } else {
+        // A sum beyond the range is no sum at all.
+        let defect = (sum - target).magnitude();
+        defect.is_finite() && defect <= gamma(count + 1) * magnitude
     }
 }
 
@@ -120,8 +197,25 @@ pub trait Linear: Affine<Difference = Self> {
 #[non_exhaustive]
 pub enum CombinationError {
     /// There is nothing to combine.
-    #[error("an affine combination needs at least one term, found none; give a weight and a point")]
-    Empty,
+    #[error("{what} needs at least one term, found none; give a weight and a point")]
+    Empty {
+        /// What was to be computed.
+        what: &'static str,
+    },
+    /// A weight or a coordinate is NaN or infinite.
+    #[error(
+        "term {index} of {what} is not finite: {weight} · {point}; every weight and coordinate must be a finite number"
+    )]
+    NotFinite {
+        /// What was to be computed.
+        what: &'static str,
+        /// Which term, counted from 0.
+        index: usize,
+        /// Its weight.
+        weight: String,
+        /// Its point.
+        point: String,
+    },
     /// The weights do not sum to 1.
     #[error(
         "the {count} weights of an affine combination must sum to 1, not to {found}; divide them by their sum"
@@ -131,6 +225,38 @@ pub enum CombinationError {
         count: usize,
         /// Their sum.
         found: String,
+    },
+    /// The weights do not sum to 0.
+    #[error(
+        "the {count} weights of a vector combination must sum to 0, not to {found}; with the sum 1 take `affine_combination`"
+    )]
+    VectorWeightSum {
+        /// How many weights there are.
+        count: usize,
+        /// Their sum.
+        found: String,
+    },
+    /// The masses of a barycentre sum to 0.
+    #[error(
+        "the {count} weights of a barycentre sum to 0, so no point balances them; with the sum 0 take `vector_combination`"
+    )]
+    NoWeight {
+        /// How many weights there are.
+        count: usize,
+    },
+    /// There is not one weight a point.
+    #[error("{expected} points need as many barycentric coordinates, found {found}")]
+    Count {
+        /// How many points there are.
+        expected: usize,
+        /// How many coordinates were given.
+        found: usize,
+    },
+    /// The combination of finite points is beyond the range of the number type.
+    #[error("{what} is beyond the range of the number type; scale the points or the weights down")]
+    Overflow {
+        /// What was to be computed.
+        what: &'static str,
     },
 }
 

@@ -2,6 +2,7 @@
 //!
 //! nalgebra solves them over real and complex floating-point numbers only; here are the rationals too.
 
+use crate::law::gamma;
 use crate::scalar::Scalar;
 
 /// Solves A·X = B by elimination with the pivot of largest magnitude; rows are given.
@@ -39,6 +40,44 @@ pub(crate) fn solve<T: Scalar>(
     Some(right)
 }
 
+/// Whether a matrix of differences has an inverse, as far as rounding can tell.
+///
+/// Elimination with the pivots of [`solve`], and with the magnitude of what every entry was subtracted from beside it.
+/// A pivot that is not larger than its rounding error is taken for 0.
+/// The entries of the first column are differences with a single rounding, so they are 0 only if they are exactly.
+/// A step multiplies and divides three entries and subtracts: 3 roundings of the entries, 3 of the operations.
+/// For two columns this bounds the error, so that a singular matrix is always found; for more it is an estimate,
+/// because the error of a pivot goes into later ones.
+pub(crate) fn is_regular<T: Scalar>(mut matrix: Vec<Vec<T>>) -> bool {
+    let size = matrix.len();
+    let mut magnitudes: Vec<Vec<f64>> = matrix
+        .iter()
+        .map(|row| row.iter().map(Scalar::magnitude).collect())
+        .collect();
+    for column in 0..size {
+        let magnitude = |row: usize| matrix[row][column].magnitude();
+        let pivot = (column..size)
+            .filter(|&row| !matrix[row][column].is_zero())
+            .max_by(|&a, &b| magnitude(a).total_cmp(&magnitude(b)));
+        let Some(pivot) = pivot else { return false };
+        let error = gamma(6 * column) * magnitudes[pivot][column];
+        if !T::EXACT && magnitude(pivot) <= error {
+            return false;
+        }
+        matrix.swap(column, pivot);
+        magnitudes.swap(column, pivot);
+        let (pivot_row, pivot_magnitudes) = (matrix[column].clone(), magnitudes[column].clone());
+        for row in column + 1..size {
+            let factor = matrix[row][column].clone() / pivot_row[column].clone();
+            subtract(&mut matrix[row], &pivot_row, &factor);
+            for (magnitude, other) in magnitudes[row].iter_mut().zip(&pivot_magnitudes) {
+                *magnitude += factor.magnitude() * other;
+            }
+        }
+    }
+    true
+}
+
 /// `row − factor·other`, in place.
 fn subtract<T: Scalar>(row: &mut [T], other: &[T], factor: &T) {
     for (entry, other) in row.iter_mut().zip(other) {
@@ -67,6 +106,22 @@ mod tests {
         };
         let right = matrix.iter().map(product).collect();
         assert_eq!(solve(matrix, right), Some(solution));
+    }
+
+    #[test]
+    fn rounding_does_not_make_a_singular_matrix_regular() {
+        for (p, q) in (1..40).flat_map(|p| (1..40).map(move |q| (f64::from(p), f64::from(q)))) {
+            assert!(
+                !is_regular(vec![vec![p, q * p], vec![3.0, q * 3.0]]),
+                "{p}, {q}"
+            );
+            assert!(
+                is_regular(vec![vec![p, q * p], vec![3.0, q * 3.0 + 1.0]]),
+                "{p}, {q}"
+            );
+        }
+        assert!(is_regular(integers(&[&[0, 1, 2], &[1, 0, 3], &[2, 1, 0]])));
+        assert!(!is_regular(integers(&[&[0, 1, 2], &[1, 0, 3], &[1, 1, 5]])));
     }
 
     #[test]
