@@ -45,7 +45,8 @@ pub fn barycentre<P: Affine>(masses: &[(P::Scalar, P)]) -> Result<P, Combination
     let moment = vector_seen_from(start, masses);
     let way = P::Difference::from_fn(|k| moment.coordinates()[k].clone() / total.clone());
     let centre = start.translated(&way);
-    if centre.coordinates().iter().all(Scalar::is_finite) {
+    // A total beyond the range would put the barycentre at the first point.
+    if total.is_finite() && centre.coordinates().iter().all(Scalar::is_finite) {
         Ok(centre)
     } else {
         Err(CombinationError::Overflow { what: WHAT })

@@ -57,13 +57,14 @@ pub fn line_coordinates<P: Affine>(
         to.difference(from).coordinates()[longest].clone() / way[longest].clone()
     };
     let [alpha, beta] = [ratio(g, b), ratio(a, g)];
-    // α, β, their products and the sum: 2 + 1 + 1 roundings a term, 3 more of a G that was computed as (1 − t)A + tB.
-    let allowed = |k: usize| {
+    // Of a term 2 + 1 + 1 roundings by the quotient, the product and the sum, and 3 of a G that was computed as (1 − t)A + tB.
+    // Those in the coordinate of the quotient move the point along the line, which is steepest there.
+    let terms = |k: usize| {
         let term =
             |weight: &P::Scalar, point: &P| weight.magnitude() * point.coordinates()[k].magnitude();
-        gamma(2 * (4 + 3)) * (term(&alpha, a) + term(&beta, b) + term(&P::Scalar::one(), g))
-            + f64::MIN_POSITIVE
+        term(&alpha, a) + term(&beta, b) + term(&P::Scalar::one(), g)
     };
+    let allowed = |k: usize| gamma(2 * (4 + 3)) * (terms(k) + terms(longest)) + f64::MIN_POSITIVE;
     let misses = |k: usize| {
         let [a, b, g] = [a, b, g].map(|point| point.coordinates()[k].clone());
         let defect = alpha.clone() * a + beta.clone() * b - g;

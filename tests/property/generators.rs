@@ -71,7 +71,7 @@ fn coordinate(scale: f64) -> impl Strategy<Value = f64> {
 }
 
 /// Moderate, huge and tiny sizes.
-fn scale() -> impl Strategy<Value = f64> {
+pub fn scale() -> impl Strategy<Value = f64> {
     prop_oneof![
         6 => Just(1.0),
         1 => Just(1e150),

@@ -4,5 +4,6 @@ mod areas;
 mod barycentric;
 mod combinations;
 mod convexity;
+mod inputs;
 mod maps;
 mod points_and_vectors;
