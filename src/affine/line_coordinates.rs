@@ -71,8 +71,8 @@ pub fn line_coordinates<P: Affine>(
         if P::Scalar::EXACT {
             !defect.is_zero()
         } else {
-            // NaN, from an overflow, misses too.
-            !(defect.magnitude() <= allowed(k))
+            // An overflow misses too.
+            !defect.is_finite() || defect.magnitude() > allowed(k)
         }
     };
     if (0..P::DIMENSION).any(misses) {
