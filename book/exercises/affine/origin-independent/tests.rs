@@ -184,7 +184,7 @@ fn points_alone_from_both_origins() {
     );
 }
 
-/// Each point counts, the last one too.
+/// Why: each point counts, the last one too.
 #[test]
 fn every_point_alone() {
     must_be_violated("is wrong for the last point alone", wrong_for_one_point);

@@ -43,7 +43,7 @@ fn a_level_tangent_is_lifted() {
     compare([0, 0], [1, 0], [0, 5]);
 }
 
-/// Why: whatever goes wrong with the translation cannot show here; a failure here has another cause.
+/// Why: the zero vector moves nothing, wherever the tangent is.
 #[test]
 fn the_translation_by_zero_changes_nothing() {
     compare([2, 3], [1, -1], [0, 0]);
