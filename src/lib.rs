@@ -10,6 +10,7 @@
 //! | [`curves`] | what holds for any parametric curve: curvature, arc length, sampling |
 //! | [`bezier`] | Bézier curves: de Casteljau, Bernstein polynomials, blossoms, subdivision, bounds |
 //! | [`check`] | what the tests of an exercise are written with |
+//! | [`tableaux`] | every tableau that deals fresh numbers for computing by hand |
 //! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
 //! | `gallery` | every figure of every chapter, by id (feature `figures`) |
 //! | `book` | statements, directives, evidence and the mdBook preprocessor (feature `book`) |
@@ -25,6 +26,7 @@ pub mod curves;
 pub mod bezier;
 
 pub mod check;
+pub mod tableaux;
 
 #[cfg(feature = "figures")]
 pub mod figure;

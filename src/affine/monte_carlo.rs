@@ -145,7 +145,7 @@ impl<const D: usize> UniformPoints<D> {
     pub fn new(bounds: BoundingBox<Point<f64, D>>, seed: u64) -> Self {
         Self {
             bounds,
-            random: SplitMix64 { state: seed },
+            random: SplitMix64::new(seed),
         }
     }
 }
@@ -165,11 +165,22 @@ impl<const D: usize> Iterator for UniformPoints<D> {
 ///
 /// Source: `steele2014`.
 #[derive(Debug, Clone)]
-struct SplitMix64 {
+pub(crate) struct SplitMix64 {
     state: u64,
 }
 
 impl SplitMix64 {
+    /// The generator of this seed.
+    pub(crate) fn new(seed: u64) -> Self {
+        Self { state: seed }
+    }
+
+    /// One of `choices`, each about equally likely; `None` if there are none.
+    pub(crate) fn choose<T: Copy>(&mut self, choices: &[T]) -> Option<T> {
+        let index = self.next().checked_rem(choices.len() as u64)?;
+        choices.get(index as usize).copied()
+    }
+
     fn next(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
@@ -192,7 +203,7 @@ mod tests {
     /// The first numbers for the seed 1234567, as published with the reference implementation.
     #[test]
     fn random_numbers_are_those_of_the_reference() {
-        let mut random = SplitMix64 { state: 1_234_567 };
+        let mut random = SplitMix64::new(1_234_567);
         let found: Vec<u64> = (0..5).map(|_| random.next()).collect();
         let expected = [
             6_457_827_717_110_365_317,

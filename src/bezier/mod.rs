@@ -27,7 +27,7 @@
 //! - [`elevation`] — more control points, the same curve,
 //! - [`approximation`] — Bernstein approximation;
 //!
-//! the theorems are in [`laws`].
+//! the theorems are in [`laws`], what is computed by hand in [`tableaux`].
 
 pub mod approximation;
 pub mod arc_length;
@@ -63,6 +63,7 @@ pub mod symmetric;
 pub mod transform;
 
 pub mod laws;
+pub mod tableaux;
 
 #[cfg(feature = "figures")]
 pub mod figures;

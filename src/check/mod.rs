@@ -11,6 +11,7 @@
 //! | [`Show`] | how a value is shown to the reader |
 //! | [`Distance`] | how far two values are apart, for rounded numbers |
 //! | [`Picture`] | curves and polygons: given, expected, found |
+//! | [`tableau`] | triangular tables to fill by hand |
 //! | [`probes!`](crate::probes) | what an answer does on chosen inputs, to recognise a misconception |
 //! | [`harness`] | runs the tests and tells the verdict over a channel of its own |
 //! | [`report`] | the words of that channel |
@@ -39,6 +40,7 @@ mod show;
 #[cfg(unix)]
 pub mod harness;
 pub mod report;
+pub mod tableau;
 
 pub use claim::{Claim, claim, probe};
 pub use picture::{Picture, Role, Stroke};

@@ -37,6 +37,7 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
             Some("figures") => allowed.push("figure"),
             // Texts for the pages are written with the book's own notation for numbers and points.
             Some("computed") => allowed.push("book"),
+            Some("tableaux") => allowed.push("check"),
             _ => {}
         }
         allowed
@@ -48,8 +49,9 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
         // Every chapter draws with it, so it must not look into a chapter that comes after points and vectors.
         Some("figure") => vec!["scalar", "law", "affine"],
         Some("gallery") => [&["figure"], CHAPTERS.as_slice()].concat(),
+        Some("tableaux") => [&["check"], CHAPTERS.as_slice()].concat(),
         Some("book") => [
-            &["scalar", "law", "check", "figure", "gallery"],
+            &["scalar", "law", "check", "tableaux", "figure", "gallery"],
             CHAPTERS.as_slice(),
         ]
         .concat(),
@@ -61,7 +63,7 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
         }
         _ => [
             &[
-                "scalar", "law", "check", "figure", "gallery", "book", "workbook",
+                "scalar", "law", "check", "tableaux", "figure", "gallery", "book", "workbook",
             ],
             CHAPTERS.as_slice(),
         ]

@@ -10,6 +10,7 @@ use super::tests_source::TestsSource;
 use super::{Exercise, ExerciseKind, ExerciseName, Tested, Variant};
 use crate::book::catalogue::{CHAPTERS, Catalogue};
 use crate::book::error::{BookError, BookErrors, Problem, most_similar};
+use crate::tableaux;
 
 /// Where the exercises of the book stand, relative to the root of the package.
 pub const FOLDER: &str = "book/exercises";
@@ -320,6 +321,7 @@ fn check(exercise: &Exercise, catalogue: &Catalogue, errors: &mut Vec<BookError>
         ));
     }
     check_document(exercise.front.kind, &exercise.document, &file, errors);
+    check_tableau(exercise, &file, errors);
     let Some(tested) = &exercise.tested else {
         return;
     };
@@ -334,6 +336,37 @@ fn check(exercise: &Exercise, catalogue: &Catalogue, errors: &mut Vec<BookError>
         let found = "there is no function `probes`";
         let remedy = "write `fn probes() -> Vec<String> { cagd::probes![answer::…, …] }`, by which a misconception is recognised";
         errors.push(mistake(exercise.folder.join("tests.rs"), 1, found, remedy));
+    }
+}
+
+/// The tableau of a *compute* exercise is one that is dealt, and the folder shows its round 0.
+fn check_tableau(exercise: &Exercise, file: &Path, errors: &mut Vec<BookError>) {
+    let (Some(name), Some(tested)) = (&exercise.front.tableau, &exercise.tested) else {
+        return;
+    };
+    let chapter = exercise.name.chapter();
+    let Some(dealer) = tableaux::find(chapter, name) else {
+        let known = tableaux::all();
+        let known = known.iter().filter(|(of, _)| *of == chapter);
+        let known: Vec<&str> = known.map(|(_, dealer)| dealer.name).collect();
+        let remedy = match most_similar(name, known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("add it to `all` in `src/{chapter}/tableaux.rs`"),
+        };
+        let found = format!("the chapter deals no tableau `{name}`");
+        errors.push(mistake(file, 1, found, remedy));
+        return;
+    };
+    let deal = (dealer.deal)(0);
+    for (part, text, expected) in [
+        ("starter", &tested.answer.starter, deal.answer_file()),
+        ("solution", &tested.answer.solution, deal.solved_file()),
+    ] {
+        if *text != expected {
+            let found = format!("the {part} is not what `{name}` deals in round 0");
+            let remedy = format!("it must read\n{expected}");
+            errors.push(mistake(exercise.folder.join("answer.rs"), 1, found, remedy));
+        }
     }
 }
 

@@ -14,8 +14,10 @@ use super::{ExerciseKind, ExerciseName};
 /// minutes = 15
 /// order = 100                    # its place in the list of the chapter; leave gaps
 /// prerequisites = []             # exercises by name, `chapter/name`
-/// tableau = "cubic"              # only for `compute`: which tableau deals fresh numbers
+/// tableau = "cubic"              # only for `compute`: which tableau deals the numbers
 /// ```
+///
+/// The tableaux of a chapter are listed in its `tableaux::all`; see [`Dealer`](crate::check::tableau::Dealer).
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FrontMatter {
@@ -34,6 +36,6 @@ pub struct FrontMatter {
     /// The exercises to do before, by name.
     #[serde(default)]
     pub prerequisites: Vec<ExerciseName>,
-    /// For *compute*: the tableau that deals fresh numbers.
+    /// For *compute*: the tableau that deals the numbers, by its name in the chapter.
     pub tableau: Option<String>,
 }

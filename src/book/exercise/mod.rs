@@ -8,6 +8,10 @@
 //! | `mutants/<name>.rs` | wrong answers; each opens with `//! misconception: …` |
 //! | `alternatives/<name>.rs` | other right answers, if there are any |
 //!
+//! A *compute* exercise asks for a tableau ([`crate::check::tableau`]). Its front matter names one of those that
+//! `src/<chapter>/tableaux.rs` deals; `answer.rs` holds what it deals in round 0, blank and filled, and the wrong
+//! answers are wrong tableaux. The tests deal the numbers again, by `answer::ROUND`.
+//!
 //! An *explain* exercise has `exercise.md` alone, with the sections `## Model answer` and `## Checklist`.
 //! Nothing else has to be edited to add an exercise.
 
@@ -22,6 +26,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+
+use crate::tableaux;
 
 pub use collection::Exercises;
 pub use document::{Document, Section};
@@ -225,5 +231,14 @@ impl Exercise {
     /// The file with the task.
     pub fn file(&self) -> PathBuf {
         self.folder.join("exercise.md")
+    }
+
+    /// The answer file of a *compute* exercise with the numbers that `round` deals; `None` for the other kinds.
+    ///
+    /// The same round deals the same numbers; the starter in the folder is that of round 0.
+    pub fn fresh_answer_file(&self, round: u64) -> Option<String> {
+        let name = self.front.tableau.as_ref()?;
+        let dealer = tableaux::find(self.name.chapter(), name)?;
+        Some((dealer.deal)(round).answer_file())
     }
 }
