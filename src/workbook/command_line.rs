@@ -67,6 +67,21 @@ enum Command {
     /// Compile and test your answer
     #[cfg(unix)]
     Check(commands::check::Check),
+    /// Check your answer whenever you save it
+    #[cfg(unix)]
+    Watch(commands::watch::Watch),
+    /// Show one more hint
+    #[cfg(unix)]
+    Hint(commands::hint::Hint),
+    /// Show the solution: once you have solved it, or when you ask twice
+    #[cfg(unix)]
+    Solution(commands::solution::Solution),
+    /// Begin an exercise anew; your answer is kept as a backup
+    #[cfg(unix)]
+    Reset(commands::reset::Reset),
+    /// Take your progress to another computer
+    #[cfg(unix)]
+    Progress(commands::progress::Progress),
     /// Name what to do next
     #[cfg(unix)]
     Next(commands::next::Next),
@@ -196,6 +211,16 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Start(start)) => Ok(start.run()?),
         #[cfg(unix)]
         Some(Command::Check(check)) => Ok(check.run()?),
+        #[cfg(unix)]
+        Some(Command::Watch(watch)) => Ok(watch.run()?),
+        #[cfg(unix)]
+        Some(Command::Hint(hint)) => Ok(hint.run()?),
+        #[cfg(unix)]
+        Some(Command::Solution(solution)) => Ok(solution.run()?),
+        #[cfg(unix)]
+        Some(Command::Reset(reset)) => Ok(reset.run()?),
+        #[cfg(unix)]
+        Some(Command::Progress(progress)) => Ok(progress.run()?),
         #[cfg(unix)]
         Some(Command::Next(next)) => Ok(next.run()?),
         Some(Command::Preprocessor { question }) => preprocessor(question),

@@ -24,9 +24,33 @@ pub(crate) fn replace(file: &Path, bytes: &[u8]) -> io::Result<()> {
     new.write_all(bytes)?;
     new.as_file().sync_all()?;
     new.persist(file)?;
-    // The name itself is kept by the folder; some file systems cannot be asked for that, and then nothing is lost but time.
+    keep_name(folder);
+    Ok(())
+}
+
+/// As [`replace`], by way of the file `new` in the same folder, which nobody else may write.
+///
+/// What a killed program has left there is written over, so that nothing piles up.
+///
+/// # Errors
+///
+/// What the operating system says; the old file is still there then.
+pub(crate) fn replace_by(new: &Path, file: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut text = File::create(new)?;
+    text.write_all(bytes)?;
+    text.sync_all()?;
+    fs::rename(new, file)?;
+    if let Some(folder) = file.parent() {
+        keep_name(folder);
+    }
+    Ok(())
+}
+
+/// Brings a new name in a folder to the disk.
+///
+/// Some file systems cannot be asked for that; after a crash the old text may then be back, and it is whole.
+fn keep_name(folder: &Path) {
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
-    Ok(())
 }

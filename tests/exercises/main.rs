@@ -1,5 +1,7 @@
 //! The exercises: their schema, and what checking an answer says.
 
+mod reader;
+
 use std::path::{Path, PathBuf};
 
 use cagd::book::catalogue::Catalogue;

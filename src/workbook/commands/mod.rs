@@ -6,11 +6,16 @@
 //! | `next` | names what to do next |
 //! | `start` | begins an exercise |
 //! | `check` | compiles and tests the answer |
+//! | `watch` | checks the answer whenever it is saved |
+//! | `hint` | shows one more hint |
+//! | `solution` | shows the solution, once it may be seen |
+//! | `reset` | begins an exercise anew and keeps the answer |
+//! | `progress` | takes the progress to another computer |
 //! | `verify` | proves exercises sound |
 
-pub mod coverage;
 #[cfg(unix)]
 pub mod check;
+pub mod coverage;
 #[cfg(unix)]
 mod desk;
 #[cfg(unix)]
@@ -18,15 +23,25 @@ mod error;
 #[cfg(unix)]
 mod explain;
 #[cfg(unix)]
+pub mod hint;
+#[cfg(unix)]
 pub mod list;
 #[cfg(unix)]
 pub mod next;
 #[cfg(unix)]
 mod output;
 #[cfg(unix)]
+pub mod progress;
+#[cfg(unix)]
+pub mod reset;
+#[cfg(unix)]
+pub mod solution;
+#[cfg(unix)]
 pub mod start;
 #[cfg(unix)]
 pub mod verify;
+#[cfg(unix)]
+pub mod watch;
 
 #[cfg(unix)]
 use desk::{Desk, Place};

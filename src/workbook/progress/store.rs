@@ -103,7 +103,12 @@ impl Store {
         let mut progress = old.clone();
         let value = change(&mut progress);
         if progress != old {
-            write(&self.file(), &progress)?;
+            // Only the one who holds the lock writes, so what a killed command has left is written over.
+            let new = self.folder.join(".progress.new");
+            let file = self.file();
+            bytes(&progress)
+                .and_then(|text| durable::replace_by(&new, &file, &text))
+                .map_err(ProgressError::file(&file))?;
         }
         Ok((value, notice))
     }
@@ -118,7 +123,9 @@ impl Store {
             return Err(ProgressError::Exists(file.to_path_buf()));
         }
         let (progress, _) = self.read()?;
-        write(file, &progress)?;
+        bytes(&progress)
+            .and_then(|text| durable::replace(file, &text))
+            .map_err(ProgressError::file(file))?;
         Ok(progress)
     }
 
@@ -214,12 +221,9 @@ fn held(file: &Path) -> Result<Held, ProgressError> {
     })
 }
 
-fn write(file: &Path, progress: &Progress) -> Result<(), ProgressError> {
-    let failed = ProgressError::file(file);
-    let mut text = match serde_json::to_vec_pretty(progress) {
-        Ok(text) => text,
-        Err(e) => return Err(failed(e.into())),
-    };
+/// The text of the file.
+fn bytes(progress: &Progress) -> io::Result<Vec<u8>> {
+    let mut text = serde_json::to_vec_pretty(progress)?;
     text.push(b'\n');
-    durable::replace(file, &text).map_err(failed)
+    Ok(text)
 }

@@ -1,0 +1,66 @@
+//! `reset`: begins an exercise anew; the answer is kept under another name.
+
+use clap::Args;
+use serde::Serialize;
+
+use super::desk::shown;
+use super::start::begin;
+use super::{CommandError, Place, print, print_json};
+use crate::workbook::command_line::Outcome;
+use crate::workbook::feedback::paint::{CODE, paint};
+use crate::workbook::progress::Entry;
+
+/// The arguments of `reset`.
+#[derive(Debug, Args)]
+pub struct Reset {
+    /// The exercise: `chapter/name`, or the name alone
+    name: String,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    place: Place,
+}
+
+/// What `reset --json` prints.
+#[derive(Debug, Serialize)]
+struct Anew {
+    exercise: String,
+    file: String,
+    /// Where the answer is kept.
+    backup: String,
+}
+
+impl Reset {
+    /// Runs the command.
+    ///
+    /// # Errors
+    ///
+    /// It could not run.
+    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+        let desk = self.place.open()?;
+        let exercise = desk.exercise(&self.name)?;
+        let Some(backup) = desk.answers.put_away(exercise)? else {
+            let name = exercise.name.to_string();
+            return Err(CommandError::NotBegun { name });
+        };
+        desk.update(|progress| *progress.entry(&exercise.name) = Entry::default())?;
+        begin(&desk, exercise)?;
+        let file = shown(&desk.answers.file(exercise)).display().to_string();
+        let backup = shown(&backup).display().to_string();
+        if self.json {
+            print_json(&Anew {
+                exercise: exercise.name.to_string(),
+                file,
+                backup,
+            })?;
+        } else {
+            print(&format!(
+                "Your answer is kept as {}.\n{} holds the starter again.\n",
+                paint(CODE, backup),
+                paint(CODE, file)
+            ))?;
+        }
+        Ok(Outcome::Fine)
+    }
+}

@@ -1,0 +1,107 @@
+//! `watch`: checks the answer whenever it is saved.
+
+use std::io::{self, Write};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use clap::Args;
+use notify_debouncer_full::notify::RecursiveMode;
+use notify_debouncer_full::{DebounceEventResult, new_debouncer};
+
+use super::check::{check, feedback};
+use super::desk::shown;
+use super::{CommandError, Desk, Place, print};
+use crate::book::exercise::{Exercise, Tested};
+use crate::workbook::command_line::Outcome;
+use crate::workbook::feedback::paint::{CODE, FAINT, WIDTH, paint};
+
+/// How long a file must be quiet before it is read.
+///
+/// Editors save in several steps within a few milliseconds, and the verdict should be there soon.
+const QUIET: Duration = Duration::from_millis(40);
+
+/// The arguments of `watch`.
+#[derive(Debug, Args)]
+pub struct Watch {
+    /// The exercise; without it, the one begun last
+    name: Option<String>,
+    /// Print a verdict as JSON, one a line
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    place: Place,
+}
+
+impl Watch {
+    /// Runs the command until Ctrl-C.
+    ///
+    /// # Errors
+    ///
+    /// It could not run.
+    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+        let desk = self.place.open()?;
+        let progress = desk.progress()?;
+        let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
+        let name = &exercise.name;
+        let Some(tested) = &exercise.tested else {
+            return Err(CommandError::Unfit(format!(
+                "`{name}` is an explanation, which no test can judge\nnext step: `cargo run -- check {name}` shows what a good answer says"
+            )));
+        };
+        let file = desk.answers.file(exercise);
+        let Some(mut last) = desk.answers.read(exercise)? else {
+            let name = name.to_string();
+            return Err(CommandError::NotBegun { name });
+        };
+        let (sender, changes) = mpsc::channel();
+        let unwatchable = |error| {
+            CommandError::Unfit(format!(
+                "`{}` cannot be watched: {error}\nnext step: run `cargo run -- check` after each change",
+                shown(&file).display()
+            ))
+        };
+        let mut debouncer = new_debouncer(QUIET, None, move |result: DebounceEventResult| {
+            // The receiver is gone only when the process ends.
+            let _ = sender.send(result);
+        })
+        .map_err(unwatchable)?;
+        // Not the file itself: many editors put a new file in its place.
+        if let Some(folder) = file.parent() {
+            debouncer
+                .watch(folder, RecursiveMode::NonRecursive)
+                .map_err(unwatchable)?;
+        }
+        self.tell(&desk, exercise, tested)?;
+        for _ in changes {
+            // While an editor saves, there may be no file; what is saved twice is checked once.
+            match desk.answers.read(exercise)? {
+                Some(text) if text != last => last = text,
+                _ => continue,
+            }
+            self.tell(&desk, exercise, tested)?;
+        }
+        Ok(Outcome::Fine)
+    }
+
+    /// Checks once and prints what there is to say.
+    fn tell(&self, desk: &Desk, exercise: &Exercise, tested: &Tested) -> Result<(), CommandError> {
+        let verdict = check(desk, exercise, tested)?;
+        if self.json {
+            let line = serde_json::to_string(&verdict).map_err(io::Error::from)?;
+            let mut out = io::stdout();
+            writeln!(out, "{line}")?;
+            out.flush()?;
+            return Ok(());
+        }
+        let rule = "─".repeat(WIDTH);
+        let file = shown(&desk.answers.file(exercise));
+        print(&format!(
+            "{}\n{}\n{} {} {}\n",
+            paint(FAINT, rule),
+            feedback(desk, exercise, &verdict)?.trim_end(),
+            paint(FAINT, "Waiting until"),
+            paint(CODE, file.display()),
+            paint(FAINT, "is saved; Ctrl-C stops."),
+        ))
+    }
+}

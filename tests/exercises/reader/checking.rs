@@ -1,0 +1,267 @@
+//! From the list to the solution, as a reader goes through it.
+
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
+
+use super::{NAME, Reader, Run, sources};
+
+/// A pack with an explanation and nothing else.
+const EXPLANATION: &str = r#"+++
+title = "Why a curve stays near its polygon"
+kind = "explain"
+statements = ["bezier-convex-hull"]
+difficulty = 4
+minutes = 10
+order = 900
++++
+
+Explain it, see {{#ref bezier-convex-hull}}.
+
+## Hint
+
+One.
+
+## Hint
+
+Two.
+
+## Hint
+
+Three.
+
+## Model answer
+
+The weights $\lambda_i \ge 0$ sum to one.
+
+## Checklist
+
+- [ ] the weights are not negative
+- [ ] they sum to one
+"#;
+
+#[test]
+fn a_new_reader_comes_from_the_list_to_a_solved_exercise() {
+    let reader = Reader::new();
+    assert_eq!(reader.item()["state"], "open");
+    reader.run(&["list"]).assert_status(0).assert_says(NAME);
+
+    let run = reader.run(&["start", "parabola-point"]);
+    run.assert_status(0).assert_says("b₀, b₁, b₂");
+    assert_eq!(
+        reader.read("bezier/parabola-point.rs"),
+        sources().answer.starter
+    );
+    assert_eq!(reader.item()["state"], "begun");
+    assert_eq!(reader.json(&["next"])["exercise"], NAME);
+
+    let run = reader.run(&["check"]);
+    run.assert_status(1);
+    for words in [
+        "tested the point b(t)",
+        "input b₀ = (0, 0), b₁ = (2, 4), b₂ = (6, 0), t = 1/2",
+        "expected (5/2, 2)",
+        "found (0, 0)",
+        "next step",
+    ] {
+        run.assert_says(words);
+    }
+
+    reader.write(&sources().answer.solution);
+    let run = reader.run(&["check", NAME]);
+    run.assert_status(0);
+    run.assert_says("Right. All 3 tests passed: half way, both ends, everywhere.");
+    assert_eq!(reader.item()["state"], "solved");
+    assert_ne!(reader.json(&["next"])["exercise"], NAME);
+}
+
+#[test]
+fn check_prints_one_verdict_as_json() {
+    let reader = Reader::begun();
+    let verdict = reader.json(&["check"]);
+    assert_eq!(verdict["exercise"], NAME);
+    assert_eq!(verdict["outcome"], "failed");
+    assert_eq!(verdict["tests"][0]["found"], "(0, 0)");
+    let parsed: Result<cagd::workbook::checking::Verdict, _> = serde_json::from_value(verdict);
+    assert!(parsed.is_ok(), "{parsed:?}");
+}
+
+#[test]
+fn a_misconception_is_told_and_the_picture_is_drawn() {
+    let reader = Reader::begun();
+    let mutant = &sources().mutants[0];
+    reader.write(&mutant.text);
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says(&mutant.misconception);
+    run.assert_says("pictures/bezier/parabola-point.svg");
+    let picture = reader.read("pictures/bezier/parabola-point.svg");
+    assert!(picture.starts_with("<svg"), "{picture}");
+    // No terminal, no picture in letters and no colours.
+    assert!(!run.stdout.contains('\u{1b}'), "{run:#?}");
+    assert!(!run.stdout.contains('⠒'), "{run:#?}");
+    reader.write(&sources().answer.solution);
+    reader.run(&["check"]).assert_status(0);
+    let picture = reader.path("pictures/bezier/parabola-point.svg");
+    assert!(
+        !picture.exists(),
+        "the picture of the old mistake is still there"
+    );
+}
+
+#[test]
+fn colours_come_when_they_are_asked_for() {
+    let reader = Reader::new();
+    let mut command = reader.command(&["list"]);
+    let forced = Run::of(command.env("CLICOLOR_FORCE", "1"));
+    assert!(forced.stdout.contains('\u{1b}'), "{forced:#?}");
+    let mut command = reader.command(&["list"]);
+    let refused = Run::of(command.env("NO_COLOR", "1"));
+    assert!(!refused.stdout.contains('\u{1b}'), "{refused:#?}");
+}
+
+#[test]
+fn errors_of_the_compiler_point_into_the_readers_file() {
+    let reader = Reader::begun();
+    let starter = sources().answer.starter;
+    reader.write(&starter.replace("b[0].clone()", "b[0].clones()"));
+    let line = starter
+        .lines()
+        .position(|line| line.contains("b[0].clone()"))
+        .expect("the starter has this line");
+    let run = reader.run(&["check"]);
+    run.assert_status(1);
+    run.assert_says(&format!("{}:{}:", reader.file().display(), line + 1));
+    run.assert_says("no method named `clones`");
+
+    reader.write(&starter.replace("fn point<", "fn punkt<"));
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says("the tests cannot use it");
+}
+
+#[test]
+fn what_an_answer_prints_cannot_paint_the_terminal() {
+    let reader = Reader::begun();
+    let starter = sources().answer.starter;
+    let noisy = starter.replace("let _ = t;", "println!(\"\\u{1b}[2Jhello\"); let _ = t;");
+    assert_ne!(noisy, starter);
+    reader.write(&noisy);
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says("·[2Jhello");
+    assert!(!run.stdout.contains('\u{1b}'), "{run:#?}");
+}
+
+#[test]
+fn hints_come_one_at_a_time() {
+    let reader = Reader::begun();
+    let seen = |arguments: &[&str]| {
+        let hints = reader.json(arguments);
+        let texts = hints["hints"].as_array().expect("an array").len();
+        (hints["shown"].as_u64(), texts)
+    };
+    assert_eq!(seen(&["hint"]), (Some(1), 1));
+    assert_eq!(seen(&["hint"]), (Some(2), 1));
+    assert_eq!(seen(&["hint", "--again"]), (Some(2), 2));
+    assert_eq!(seen(&["hint", NAME]), (Some(3), 1));
+    assert_eq!(seen(&["hint"]), (Some(3), 1));
+    reader.run(&["hint"]).assert_says("These were all");
+    assert_eq!(reader.item()["hints_shown"], 3);
+}
+
+#[test]
+fn the_solution_is_shown_after_success_or_when_asked_twice() {
+    let reader = Reader::begun();
+    let run = reader.run(&["solution"]);
+    run.assert_status(0).assert_says("ask once more");
+    run.assert_silent_about("let between");
+    reader.run(&["solution"]).assert_says("let between");
+
+    let reader = Reader::begun();
+    reader.write(&sources().answer.solution);
+    reader.run(&["check"]).assert_status(0);
+    let solution = reader.json(&["solution"]);
+    assert_eq!(solution["solution"], sources().answer.solution);
+}
+
+#[test]
+fn an_explanation_is_judged_by_the_reader() {
+    let reader = Reader::new();
+    let pack = reader.path("pack");
+    let folder = pack.join("bezier/near-polygon");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(folder.join("exercise.md"), EXPLANATION).expect("a file");
+    let pack = pack.to_str().expect("UTF-8");
+    let run = |arguments: &[&str]| reader.run(&[arguments, &["--pack", pack]].concat());
+    run(&["start", "near-polygon"]).assert_says("see “");
+    run(&["check"])
+        .assert_status(1)
+        .assert_says("[ ] the weights are not negative");
+    run(&["solution"]);
+    run(&["solution"]).assert_says("λᵢ ≥ 0");
+    run(&["watch"]).assert_status(2).assert_says("next step");
+    run(&["check", "bezier/near-polygon", "--done"]).assert_status(0);
+    run(&["check"]).assert_status(0);
+    // Without the pack, nothing is lost.
+    reader.run(&["list"]).assert_says("bezier/near-polygon");
+    reader
+        .run(&["check"])
+        .assert_status(2)
+        .assert_says("--pack");
+}
+
+#[test]
+fn unknown_names_get_the_most_similar() {
+    let reader = Reader::new();
+    for name in ["bezier/parabola-pont", "parabola-pont"] {
+        let run = reader.run(&["start", name]);
+        run.assert_status(2);
+        run.assert_says("did you mean `bezier/parabola-point`?");
+    }
+    reader
+        .run(&["check"])
+        .assert_status(2)
+        .assert_says("next step");
+    reader
+        .run(&["check", NAME])
+        .assert_status(2)
+        .assert_says("next step");
+    reader
+        .run(&["reset", NAME])
+        .assert_status(2)
+        .assert_says("next step");
+    let run = reader.run(&["list", "--statement", "bezier-convex-hul"]);
+    run.assert_status(2).assert_says("bezier-convex-hull");
+    let run = reader.run(&["start", NAME, "--fresh", "7"]);
+    run.assert_status(2).assert_says("no fresh numbers");
+}
+
+#[test]
+fn watch_checks_whenever_the_answer_is_saved() {
+    let reader = Reader::begun();
+    let mut child = reader
+        .command(&["watch", "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let lines = BufReader::new(child.stdout.take().expect("it is piped")).lines();
+    let (sender, verdicts) = mpsc::channel();
+    std::thread::spawn(move || {
+        for line in lines.map_while(Result::ok) {
+            // The test may have ended.
+            let _ = sender.send(line);
+        }
+    });
+    // The first one may have to wait for the library.
+    let next = || verdicts.recv_timeout(Duration::from_secs(120));
+    let first = next();
+    reader.write(&sources().answer.solution);
+    let saved = Instant::now();
+    let second = next();
+    let seconds = saved.elapsed().as_secs_f64();
+    child.kill().expect("it runs until it is ended");
+    child.wait().expect("it has ended");
+    assert!(first.is_ok_and(|line| line.contains("\"outcome\":\"failed\"")));
+    assert!(second.is_ok_and(|line| line.contains("\"outcome\":\"passed\"")));
+    println!("from saving to the verdict: {seconds:.2} s");
+}
