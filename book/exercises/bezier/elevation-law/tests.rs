@@ -83,6 +83,13 @@ fn weights_swapped(b: &[Point<BigRational, 2>]) -> Points {
     elevated_with(b, |i, n| BigRational::from_ratio(n + 1 - i, n + 1))
 }
 
+fn right_in_x(b: &[Point<BigRational, 2>]) -> Points {
+    let coordinates = by_formula(b).into_iter().zip(midpoints(b));
+    coordinates
+        .map(|(right, middle)| Point::new([right[0].clone(), middle[1].clone()]))
+        .collect()
+}
+
 fn backwards(b: &[Point<BigRational, 2>]) -> Points {
     by_formula(b).into_iter().rev().collect()
 }
@@ -95,6 +102,7 @@ fn probes() -> Vec<String> {
         accepts(twice),
         accepts(midpoints),
         accepts(backwards),
+        accepts(right_in_x),
     ]
 }
 
@@ -129,6 +137,7 @@ fn it_rejects_a_wrong_number_of_points() {
 fn it_rejects_another_curve() {
     fails("the middles of the legs", midpoints);
     fails("the weights of the two neighbours swapped", weights_swapped);
+    fails("right in x, the middles of the legs in y", right_in_x);
     fails("the last point repeated", |b| {
         elevated_with(b, |_, _| number(0))
     });
