@@ -23,7 +23,10 @@ fn probes() -> Vec<String> {
         answer::point(&cubic, fraction(0, 1)),
         answer::point(&cubic, fraction(1, 4)),
         answer::point(&cubic, fraction(3, 2)),
-        answer::point(&points(&[[0, 0], [2, 6], [10, 4], [3, 3], [1, 8]]), fraction(1, 2)),
+        answer::point(
+            &points(&[[0, 0], [2, 6], [10, 4], [3, 3], [1, 8]]),
+            fraction(1, 2)
+        ),
         answer::point(&points(&[[2, 6]]), fraction(1, 3)),
     ]
 }

@@ -1,0 +1,11 @@
+//! misconception: the first call does not count, as nobody but the user makes it
+
+/// How many linear interpolations fill the triangle of de Casteljau for degree n.
+pub fn interpolations(n: u32) -> u64 {
+    u64::from(n) * u64::from(n + 1) / 2
+}
+
+/// How many calls the recursive program makes for degree n, the first one included.
+pub fn calls(n: u32) -> u64 {
+    2_u64.pow(n + 1) - 2
+}

@@ -1,0 +1,28 @@
+//! Partition of unity as a law.
+
+use cagd::law::{Rounding, Sides};
+use cagd::scalar::Scalar;
+
+/// Claims that the values of `implementation` for degree n at t are a partition of unity.
+pub fn law<T: Scalar>(implementation: impl Fn(usize, T) -> Vec<T>, n: usize, t: T) -> Sides<T> {
+    let sides = Sides::new(format!("n = {n}, t = {t}"));
+    let values = implementation(n, t);
+    //@ solution
+    sides
+        .equal(
+            "there are n + 1 values",
+            [T::from_integer(values.len() as i64)],
+            [T::from_integer(n as i64 + 1)],
+            Rounding::none(),
+        )
+        .equal(
+            "they sum to 1",
+            [values.into_iter().fold(T::zero(), |sum, value| sum + value)],
+            [T::one()],
+            Rounding::none(),
+        )
+    //@ starter
+    //| // This holds for every implementation.
+    //| sides.equal("they sum to 1", values.clone(), values, Rounding::none())
+    //@ end
+}

@@ -1,0 +1,23 @@
+//! misconception: only the Bernstein polynomials sum to one, so one may compare with them
+
+use cagd::law::{Rounding, Sides};
+use cagd::scalar::Scalar;
+
+/// Claims that the values of `implementation` for degree n at t are a partition of unity.
+pub fn law<T: Scalar>(implementation: impl Fn(usize, T) -> Vec<T>, n: usize, t: T) -> Sides<T> {
+    let sides = Sides::new(format!("n = {n}, t = {t}"));
+    let values = implementation(n, t.clone());
+    sides
+        .equal(
+            "there are n + 1 values",
+            [T::from_integer(values.len() as i64)],
+            [T::from_integer(n as i64 + 1)],
+            Rounding::none(),
+        )
+        .equal(
+            "they sum to 1",
+            values,
+            cagd::bezier::bernstein_basis(n, t),
+            Rounding::none(),
+        )
+}
