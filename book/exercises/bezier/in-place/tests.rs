@@ -67,6 +67,7 @@ proptest! {
             .equal(found.first().cloned(), Some(right.at(t.clone())));
     }
 
+    /// Why: it tries every degree up to 5, and shows the list beside the right one.
     #[test]
     fn the_whole_side(b in prop::collection::vec([-4..=4_i64, -4..=4], 1..=6), t in -4..=8_i64) {
         let (b, t) = (points(&b), fraction(t, 4));

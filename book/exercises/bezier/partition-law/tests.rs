@@ -1,6 +1,6 @@
 use cagd::bezier::{bernstein, bernstein_basis, binomial};
 use cagd::check::claim;
-use cagd::scalar::{BigRational, Scalar};
+use cagd::scalar::{BigRational, OrderedScalar, Scalar};
 
 type Basis = fn(usize, BigRational) -> Vec<BigRational>;
 
@@ -37,6 +37,9 @@ fn probes() -> Vec<String> {
         judged(no_binomials, 3, fraction(1, 3)),
         judged(squared_bumps, 3, fraction(1, 3)),
         judged(last_missing, 3, fraction(1, 3)),
+        judged(absolute_values, 2, fraction(5, 2)),
+        judged(no_degree_0, 0, fraction(1, 3)),
+        judged(one_fewer, 3, fraction(1, 3)),
         judged(second_missing, 3, fraction(1, 3)),
     ]
 }
@@ -75,6 +78,24 @@ fn one_more(n: usize, t: BigRational) -> Vec<BigRational> {
     (0..=n + 1)
         .map(|i| bernstein(n, i as i64, t.clone()))
         .collect()
+}
+
+fn one_fewer(n: usize, t: BigRational) -> Vec<BigRational> {
+    bernstein_basis(n.saturating_sub(1), t)
+}
+
+/// Right on [0, 1].
+fn absolute_values(n: usize, t: BigRational) -> Vec<BigRational> {
+    let values = bernstein_basis(n, t);
+    values.iter().map(OrderedScalar::abs).collect()
+}
+
+/// Right for every degree but 0.
+fn no_degree_0(n: usize, t: BigRational) -> Vec<BigRational> {
+    match n {
+        0 => vec![fraction(0, 1)],
+        _ => bernstein_basis(n, t),
+    }
 }
 
 fn last_missing(n: usize, t: BigRational) -> Vec<BigRational> {
@@ -123,6 +144,20 @@ fn it_holds_for_the_lagrange_polynomials() {
 #[test]
 fn it_counts_the_values() {
     refuses("a list with one more value, 0", one_more);
+    refuses("the values of one degree less", one_fewer);
+}
+
+#[test]
+fn it_looks_outside_of_the_interval() {
+    refuses(
+        "the absolute values of Bernstein polynomials",
+        absolute_values,
+    );
+}
+
+#[test]
+fn it_looks_at_degree_0() {
+    refuses("Bernstein polynomials with B₀⁰ = 0", no_degree_0);
 }
 
 /// Why: the first wrong implementation that one thinks of.
