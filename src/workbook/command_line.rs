@@ -15,6 +15,8 @@ use thiserror::Error;
 
 #[cfg(unix)]
 use super::checking;
+#[cfg(unix)]
+use super::sandbox::supervisor;
 use super::{commands, house, watch};
 use crate::book::build::build_with;
 use crate::book::error::{BookError, BookErrors, Problem};
@@ -91,6 +93,10 @@ enum Command {
         #[command(subcommand)]
         question: Option<Question>,
     },
+    /// Stand between the workbook and somebody's program; the sandbox calls this
+    #[cfg(unix)]
+    #[command(hide = true)]
+    Supervise(supervisor::Order),
 }
 
 #[derive(Debug, Subcommand)]
@@ -224,6 +230,11 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         #[cfg(unix)]
         Some(Command::Next(next)) => Ok(next.run()?),
         Some(Command::Preprocessor { question }) => preprocessor(question),
+        #[cfg(unix)]
+        Some(Command::Supervise(order)) => {
+            supervisor::supervise(&order);
+            Ok(Outcome::Fine)
+        }
     }
 }
 

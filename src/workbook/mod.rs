@@ -6,11 +6,11 @@
 //! | [`progress`] | how far the reader is |
 //! | [`feedback`] | what a reader sees in the terminal |
 //! | [`checking`] | an answer is compiled, run and judged |
-//! | [`sandbox`] | running other people's programs |
 //! | [`command_line`] | the commands, their arguments and exit statuses |
 //! | `commands` | the commands that need more than a few lines |
 //! | [`verify`] | the proof that an exercise is sound |
 //! | [`house`] | where the sources of the workbook stand |
+//! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
 //! | [`watch`] | what to do when a source changes |
 
@@ -27,7 +27,6 @@ pub mod feedback;
 pub mod house;
 #[cfg(unix)]
 pub mod progress;
-#[cfg(unix)]
 pub mod sandbox;
 pub mod server;
 #[cfg(unix)]

@@ -113,6 +113,7 @@ pub fn compile_tests(
     arguments.push(named("proptest", &library.proptest));
     arguments
         .extend(["--crate-type=bin", "-Adead_code", "tests.rs", "-o", "tests"].map(OsString::from));
+    arguments.extend(linker(library, folder.path())?);
     let said = rustc(library, folder.path(), arguments, isolation)?;
     let path = folder.path().join("tests");
     Ok(if said.succeeded && path.is_file() {
@@ -185,6 +186,33 @@ fn common(library: &Library, name: &str, folder: &Path) -> Vec<OsString> {
     cagd.push(&library.cagd);
     arguments.push(cagd);
     arguments
+}
+
+/// The arguments by which the compiler takes its own linker.
+///
+/// On this platform it would do so anyway, but through a wrapper that looks for itself in `/proc`, which a sandbox does
+/// not have. The linker itself knows by the name of a link what it is asked to be.
+fn linker(library: &Library, folder: &Path) -> Result<Vec<OsString>, CheckingError> {
+    let own = library
+        .sysroot
+        .join("lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld");
+    let is_default = cfg!(all(
+        target_os = "linux",
+        target_arch = "x86_64",
+        target_env = "gnu"
+    ));
+    if !is_default || !own.is_file() {
+        return Ok(Vec::new());
+    }
+    let link = folder.join("ld.lld");
+    std::os::unix::fs::symlink(own, &link).map_err(|e| CheckingError::file(&link, &e))?;
+    let mut search = OsString::from("-Clink-arg=-B");
+    search.push(folder);
+    Ok(vec![
+        "-Clinker-features=-lld".into(),
+        "-Clink-arg=-fuse-ld=lld".into(),
+        search,
+    ])
 }
 
 /// What a compiler run gave.
