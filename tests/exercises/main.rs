@@ -1,5 +1,6 @@
 //! The exercises: their schema, and what checking an answer says.
 
+mod compute;
 mod reader;
 
 use std::path::{Path, PathBuf};
