@@ -58,7 +58,7 @@ impl Check {
                 exercise.name
             )));
         }
-        let verdict = check(&desk, exercise, tested)?;
+        let verdict = check(&desk, exercise, tested, &checker(&desk)?)?;
         if self.json {
             print_json(&verdict)?;
         } else {
@@ -72,11 +72,20 @@ impl Check {
     }
 }
 
+/// What checks answers; the library is compiled if that is needed.
+pub(super) fn checker(desk: &Desk) -> Result<Checker, CommandError> {
+    let what = "The library is compiled for your answers; this happens once";
+    Ok(patiently(what, || {
+        Checker::new(&desk.root, Isolation::best())
+    })?)
+}
+
 /// Checks the answer and remembers how it ended.
 pub(super) fn check(
     desk: &Desk,
     exercise: &Exercise,
     tested: &Tested,
+    checker: &Checker,
 ) -> Result<Verdict, CommandError> {
     let file = desk.answers.file(exercise);
     let Some(text) = desk.answers.read(exercise)? else {
@@ -87,10 +96,6 @@ pub(super) fn check(
         shown_as: shown(&file).display().to_string(),
         text,
     };
-    let checker = patiently(
-        "The library is compiled for your answers; this happens once",
-        || Checker::new(&desk.root, Isolation::best()),
-    )?;
     let verdict = patiently("Your answer is compiled and tested", || {
         checker.check(exercise, tested, &answer, SEED)
     })?;

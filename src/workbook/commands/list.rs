@@ -132,7 +132,16 @@ fn shown(items: &[Item<'_>]) -> String {
             command("list")
         );
     }
-    let name = |item: &Item<'_>| item.exercise.to_string();
+    // The chapter stands above, so the name alone will do, unless it leaves open which exercise is meant.
+    let name = |item: &Item<'_>| {
+        let own = item.exercise.name();
+        let same = items.iter().filter(|other| other.exercise.name() == own);
+        if same.count() == 1 {
+            own.to_owned()
+        } else {
+            item.exercise.to_string()
+        }
+    };
     let widest = items.iter().map(|item| columns(&name(item))).max();
     let width = widest.unwrap_or_default();
     // The sign, the dots, the minutes and the blanks between take 21 columns.

@@ -3,11 +3,12 @@
 use std::io::{self, Write};
 
 use super::CommandError;
+use crate::workbook::feedback::paint::printable;
 
 /// Prints a text, without its colours where they do not belong.
 pub(super) fn print(text: &str) -> Result<(), CommandError> {
     let mut out = anstream::stdout();
-    out.write_all(text.as_bytes())?;
+    out.write_all(printable(text).as_bytes())?;
     out.flush()?;
     Ok(())
 }

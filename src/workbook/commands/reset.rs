@@ -45,7 +45,7 @@ impl Reset {
             return Err(CommandError::NotBegun { name });
         };
         desk.update(|progress| *progress.entry(&exercise.name) = Entry::default())?;
-        begin(&desk, exercise)?;
+        begin(&desk, exercise, None)?;
         let file = shown(&desk.answers.file(exercise)).display().to_string();
         let backup = shown(&backup).display().to_string();
         if self.json {

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::{CommandError, Place, print, print_json};
 use crate::book::exercise::Exercise;
+use crate::tableaux;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{FAINT, STRONG, paint, wrapped};
@@ -27,7 +28,7 @@ pub struct Solution {
 struct Shown<'a> {
     exercise: String,
     /// The solution, or null when it is asked for the first time before the exercise is solved.
-    solution: Option<&'a str>,
+    solution: Option<&'a String>,
 }
 
 impl Solution {
@@ -40,16 +41,17 @@ impl Solution {
         let desk = self.place.open()?;
         let progress = desk.progress()?;
         let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
-        let (may_see, hints_seen) = desk.update(|progress| {
+        let (may_see, hints_seen, seed) = desk.update(|progress| {
             let entry = progress.entry(&exercise.name);
             let may_see = entry.solved.is_some() || entry.asked_for_solution;
             entry.asked_for_solution |= entry.solved.is_none();
-            (may_see, entry.hints)
+            (may_see, entry.hints, entry.seed)
         })?;
+        let source = source(exercise, seed);
         if self.json {
             print_json(&Shown {
                 exercise: exercise.name.to_string(),
-                solution: may_see.then(|| source(exercise)),
+                solution: may_see.then_some(&source),
             })?;
             return Ok(Outcome::Fine);
         }
@@ -82,24 +84,29 @@ impl Solution {
             paint(FAINT, name)
         );
         if is_code {
-            text.push_str(source(exercise));
+            text.push_str(&source);
             if let Some(afterwards) = &exercise.document.afterwards {
                 text.push_str(&format!("\n{}\n\n", paint(STRONG, "Afterwards")));
                 text.push_str(&markdown::rendered(&afterwards.text, &desk.catalogue));
             }
         } else {
-            text.push_str(&markdown::rendered(source(exercise), &desk.catalogue));
+            text.push_str(&markdown::rendered(&source, &desk.catalogue));
         }
         print(&text)?;
         Ok(Outcome::Fine)
     }
 }
 
-/// The solution as Rust, or the model answer in Markdown.
-fn source(exercise: &Exercise) -> &str {
+/// The solution as Rust, for the numbers that this reader was dealt, or the model answer in Markdown.
+fn source(exercise: &Exercise, seed: Option<u64>) -> String {
+    let tableau = exercise.front.tableau.as_ref();
+    let dealer = tableau.and_then(|name| tableaux::find(exercise.name.chapter(), name));
+    if let (Some(seed), Some(dealer)) = (seed, dealer) {
+        return (dealer.deal)(seed).solved_file();
+    }
     match (&exercise.tested, &exercise.document.model_answer) {
-        (Some(tested), _) => &tested.answer.solution,
-        (None, Some(answer)) => &answer.text,
-        (None, None) => "",
+        (Some(tested), _) => tested.answer.solution.clone(),
+        (None, Some(answer)) => answer.text.clone(),
+        (None, None) => String::new(),
     }
 }

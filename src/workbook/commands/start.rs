@@ -1,5 +1,7 @@
 //! `start`: begins an exercise.
 
+use std::time::{SystemTime, UNIX_EPOCH};
+
 use clap::Args;
 use serde::Serialize;
 
@@ -11,14 +13,14 @@ use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{ATTENTION, CODE, FAINT, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
-use crate::workbook::progress::{Entry, digest, now};
+use crate::workbook::progress::{Entry, Progress, digest, now};
 
 /// The arguments of `start`.
 #[derive(Debug, Args)]
 pub struct Start {
     /// The exercise: `chapter/name`, or the name alone
     name: String,
-    /// Deal fresh numbers, the same ones for the same seed
+    /// Deal fresh numbers for a tableau, the same ones for the same seed; your answer so far is kept as a backup
     #[arg(long, value_name = "SEED", num_args = 0..=1)]
     fresh: Option<Option<u64>>,
     /// Print JSON
@@ -35,6 +37,10 @@ struct Started {
     file: String,
     /// Whether the file is new; an answer that was there is left alone.
     new: bool,
+    /// With which seed fresh numbers were dealt.
+    seed: Option<u64>,
+    /// Where the answer with the former numbers is kept.
+    backup: Option<String>,
     task: String,
 }
 
@@ -47,29 +53,33 @@ impl Start {
     pub(crate) fn run(self) -> Result<Outcome, CommandError> {
         let desk = self.place.open()?;
         let exercise = desk.exercise(&self.name)?;
-        if self.fresh.is_some() {
-            return Err(CommandError::Unfit(format!(
-                "`{}` has no fresh numbers; only tableaux to compute by hand have\n\
-                 next step: start it without `--fresh`",
-                exercise.name
-            )));
-        }
+        let fresh = self
+            .fresh
+            .map(|seed| Fresh::deal(exercise, seed.unwrap_or_else(any_seed)))
+            .transpose()?;
         // The package is new with its first answer; then the reader is told how an editor completes in it.
         let is_first = !desk.answers.folder().join("Cargo.toml").is_file();
-        let begun = begin(&desk, exercise)?;
+        let backup = match fresh {
+            Some(_) => desk.answers.put_away(exercise)?,
+            None => None,
+        };
+        let begun = begin(&desk, exercise, fresh.as_ref())?;
         let file = shown(&desk.answers.file(exercise)).display().to_string();
         if self.json {
             print_json(&Started {
                 exercise: exercise.name.to_string(),
                 file,
                 new: begun == Begun::New,
+                seed: fresh.map(|fresh| fresh.seed),
+                backup: backup.map(|file| shown(&file).display().to_string()),
                 task: exercise.document.task.text.clone(),
             })?;
             return Ok(Outcome::Fine);
         }
+        let progress = desk.progress()?;
         let mut text = task(&desk, exercise);
         text.push('\n');
-        let progress = desk.progress()?;
+        text.push_str(&builds_on(&desk, &progress, exercise));
         match begun {
             Begun::New => text.push_str(&format!("Your file: {}\n", paint(CODE, &file))),
             Begun::AlreadyThere => {
@@ -81,6 +91,15 @@ impl Start {
                     text.push_str(&starter_changed(exercise));
                 }
             }
+        }
+        if let Some(fresh) = &fresh {
+            let same = command(&format!("start {} --fresh {}", exercise.name, fresh.seed));
+            let note = format!("It has fresh numbers; {same} deals the same ones again.");
+            text.push_str(&wrapped(&note, "", ""));
+        }
+        if let Some(backup) = backup {
+            let backup = shown(&backup).display().to_string();
+            text.push_str(&format!("Your answer before: {}\n", paint(CODE, backup)));
         }
         if is_first {
             let folder = shown(desk.answers.folder()).display().to_string();
@@ -96,11 +115,41 @@ impl Start {
     }
 }
 
+/// A starter with fresh numbers.
+pub(super) struct Fresh {
+    seed: u64,
+    text: String,
+}
+
+impl Fresh {
+    fn deal(exercise: &Exercise, seed: u64) -> Result<Self, CommandError> {
+        match exercise.fresh_answer_file(seed) {
+            Some(text) => Ok(Self { seed, text }),
+            None => Err(CommandError::Unfit(format!(
+                "`{}` has no fresh numbers; only tableaux to compute by hand have\n\
+                 next step: start it without `--fresh`",
+                exercise.name
+            ))),
+        }
+    }
+}
+
+/// A seed that nobody has chosen; it is short, so that it can be passed on.
+fn any_seed() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.map_or(1, |time| u64::from(time.subsec_micros()) % 9999 + 1)
+}
+
 /// Makes the file of the answer and remembers that it was begun.
-pub(super) fn begin(desk: &Desk, exercise: &Exercise) -> Result<Begun, CommandError> {
-    let starter = match &exercise.tested {
-        Some(tested) => tested.answer.starter.clone(),
-        None => format!("# {}\n\nWrite your answer here.\n", exercise.front.title),
+pub(super) fn begin(
+    desk: &Desk,
+    exercise: &Exercise,
+    fresh: Option<&Fresh>,
+) -> Result<Begun, CommandError> {
+    let starter = match (fresh, &exercise.tested) {
+        (Some(fresh), _) => fresh.text.clone(),
+        (None, Some(tested)) => tested.answer.starter.clone(),
+        (None, None) => format!("# {}\n\nWrite your answer here.\n", exercise.front.title),
     };
     let begun = desk.answers.begin(exercise, &starter)?;
     desk.update(|progress| {
@@ -108,7 +157,12 @@ pub(super) fn begin(desk: &Desk, exercise: &Exercise) -> Result<Begun, CommandEr
         let entry = progress.entry(&exercise.name);
         if begun == Begun::New {
             *entry = Entry {
-                starter: exercise.tested.as_ref().map(|_| digest(&starter)),
+                // Fresh numbers do not come from the starter.
+                starter: match fresh {
+                    None => exercise.tested.as_ref().map(|_| digest(&starter)),
+                    Some(_) => None,
+                },
+                seed: fresh.map(|fresh| fresh.seed),
                 // What was reached before the file went away stays true.
                 solved: entry.solved,
                 hints: entry.hints,
@@ -138,6 +192,23 @@ fn task(desk: &Desk, exercise: &Exercise) -> String {
         paint(FAINT, facts),
         markdown::rendered(&exercise.document.task.text, &desk.catalogue)
     )
+}
+
+/// What should have been solved before, and is not.
+fn builds_on(desk: &Desk, progress: &Progress, exercise: &Exercise) -> String {
+    let open: Vec<String> = exercise
+        .front
+        .prerequisites
+        .iter()
+        .filter(|name| !progress.is_solved(name))
+        .filter_map(|name| desk.exercises.get(name))
+        .map(|before| format!("“{}” ({})", before.front.title, before.name))
+        .collect();
+    if open.is_empty() {
+        return String::new();
+    }
+    let note = format!("It builds on {}, not solved yet.", open.join(" and "));
+    wrapped(&note, &paint(ATTENTION, "» "), "  ") + "\n"
 }
 
 /// That the starter is another one now, and what to do about it.

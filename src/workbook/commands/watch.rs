@@ -8,10 +8,11 @@ use clap::Args;
 use notify_debouncer_full::notify::RecursiveMode;
 use notify_debouncer_full::{DebounceEventResult, new_debouncer};
 
-use super::check::{check, feedback};
+use super::check::{check, checker, feedback};
 use super::desk::shown;
 use super::{CommandError, Desk, Place, print};
 use crate::book::exercise::{Exercise, Tested};
+use crate::workbook::checking::Checker;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, FAINT, WIDTH, paint};
 
@@ -71,21 +72,29 @@ impl Watch {
                 .watch(folder, RecursiveMode::NonRecursive)
                 .map_err(unwatchable)?;
         }
-        self.tell(&desk, exercise, tested)?;
+        // The library is asked for once; it takes a tenth of a second to see that it is up to date.
+        let checker = checker(&desk)?;
+        self.tell(&desk, exercise, tested, &checker)?;
         for _ in changes {
             // While an editor saves, there may be no file; what is saved twice is checked once.
             match desk.answers.read(exercise)? {
                 Some(text) if text != last => last = text,
                 _ => continue,
             }
-            self.tell(&desk, exercise, tested)?;
+            self.tell(&desk, exercise, tested, &checker)?;
         }
         Ok(Outcome::Fine)
     }
 
     /// Checks once and prints what there is to say.
-    fn tell(&self, desk: &Desk, exercise: &Exercise, tested: &Tested) -> Result<(), CommandError> {
-        let verdict = check(desk, exercise, tested)?;
+    fn tell(
+        &self,
+        desk: &Desk,
+        exercise: &Exercise,
+        tested: &Tested,
+        checker: &Checker,
+    ) -> Result<(), CommandError> {
+        let verdict = check(desk, exercise, tested, checker)?;
         if self.json {
             let line = serde_json::to_string(&verdict).map_err(io::Error::from)?;
             let mut out = io::stdout();

@@ -3,7 +3,7 @@
 use anstyle::{AnsiColor, Style};
 use drawille::Canvas;
 
-use super::paint::{columns, paint};
+use super::paint::{GOOD, columns, paint};
 use super::picture::{Window, drawable, window};
 use crate::workbook::checking::verdict::PictureStroke;
 
@@ -48,6 +48,7 @@ pub fn drawn(strokes: &[PictureStroke], with_colours: bool) -> Option<String> {
 /// One above the other; where two meet in a letter, the upper one has the colour.
 fn overlaid(layers: &[(&str, Style, Vec<Vec<char>>)]) -> String {
     let mut text = String::new();
+    let mut met = false;
     let rows = layers.iter().map(|(.., rows)| rows.len()).max();
     for row in 0..rows.unwrap_or_default() {
         let mut line = String::new();
@@ -62,6 +63,10 @@ fn overlaid(layers: &[(&str, Style, Vec<Vec<char>>)]) -> String {
                     colour = Some(style);
                 }
             }
+            if meets(layers, row, column) {
+                colour = Some(&GOOD);
+                met = true;
+            }
             let letter = char::from_u32(EMPTY as u32 + dots).unwrap_or(EMPTY);
             match colour {
                 Some(style) => line.push_str(&paint(*style, letter)),
@@ -71,11 +76,23 @@ fn overlaid(layers: &[(&str, Style, Vec<Vec<char>>)]) -> String {
         text.push_str(line.trim_end());
         text.push('\n');
     }
-    let legend: Vec<String> = layers
+    let mut legend: Vec<String> = layers
         .iter()
         .map(|(role, style, _)| format!("{} {role}", paint(*style, "⠒⠒")))
         .collect();
+    if met {
+        legend.push(format!("{} found as expected", paint(GOOD, "⠒⠒")));
+    }
     text + &legend.join("   ") + "\n"
+}
+
+/// Whether the expected and the found curve are the same in a letter.
+fn meets(layers: &[(&str, Style, Vec<Vec<char>>)], row: usize, column: usize) -> bool {
+    let letter = |role: &str| {
+        let (.., rows) = layers.iter().find(|(name, ..)| *name == role)?;
+        Some(rows[row][column]).filter(|&letter| letter != EMPTY)
+    };
+    letter("expected").is_some() && letter("expected") == letter("found")
 }
 
 /// A picture for each, with its name above.
@@ -108,7 +125,7 @@ fn letters<'a>(
     let mut canvas = Canvas::new(1, 1);
     let mut set = |[x, y]: [f64; 2]| {
         let [x, y] = [x.round(), y.round()];
-        if (0.0..=dots[0]).contains(&x) && (0.0..=dots[1]).contains(&y) {
+        if (0.0..=size[0] * scale).contains(&x) && (0.0..=size[1] * scale).contains(&y) {
             canvas.set(x as u32, y as u32);
         }
     };
@@ -131,7 +148,8 @@ fn letters<'a>(
             }
         }
     }
-    let height = ((size[1] * scale / DOTS[1] as f64).ceil() as usize).clamp(1, room[1]);
+    // The same for every role, whatever it has drawn.
+    let height = ((size[1] * scale / DOTS[1] as f64) as usize + 1).min(room[1]);
     let mut rows: Vec<Vec<char>> = canvas
         .rows()
         .iter()
@@ -141,7 +159,7 @@ fn letters<'a>(
                 .collect()
         })
         .collect();
-    rows.resize(height.max(rows.len()), Vec::new());
+    rows.resize(height, Vec::new());
     for row in &mut rows {
         row.resize(room[0], EMPTY);
     }
@@ -175,6 +193,17 @@ mod tests {
     }
 
     #[test]
+    fn where_the_curves_agree_it_is_said() {
+        let line = [[0.0, 0.0], [1.0, 1.0]];
+        let same = [stroke("expected", &line), stroke("found", &line)];
+        let legend = "found as expected";
+        assert!(drawn(&same, true).is_some_and(|text| text.contains(legend)));
+        let other = [[0.0, 1.0], [0.2, 1.0]];
+        let differ = [stroke("expected", &line), stroke("found", &other)];
+        assert!(drawn(&differ, true).is_some_and(|text| !text.contains(legend)));
+    }
+
+    #[test]
     fn a_rising_line_rises() {
         let rows = letters(
             [stroke("found", &[[0.0, 0.0], [1.0, 1.0]])].iter(),
@@ -196,6 +225,11 @@ mod tests {
             stroke("found", &[[-1e300, 1e300], [f64::NAN, 0.0], [1e300, 2.0]]),
         ];
         assert!(drawn(&strokes, true).is_some());
+        let wide = [
+            stroke("expected", &[[0.0, 0.0], [10.0, 0.1]]),
+            stroke("found", &[[0.0, 0.0], [5.0, -900.0]]),
+        ];
+        assert!(drawn(&wide, true).is_some() && drawn(&wide, false).is_some());
         assert_eq!(drawn(&[stroke("found", &[])], true), None);
     }
 }

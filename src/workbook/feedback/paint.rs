@@ -81,6 +81,13 @@ pub fn wrapped(text: &str, first: &str, rest: &str) -> String {
     lines.join("\n") + "\n"
 }
 
+/// The text as it is printed: blanks that must not break have done their work and are plain blanks.
+///
+/// A command that the reader copies must hold no others.
+pub fn printable(text: &str) -> String {
+    text.replace('\u{a0}', " ")
+}
+
 /// Lines of a name and what belongs to it, the latter aligned.
 pub fn table(rows: &[(&str, String)], indent: &str) -> String {
     let width = rows.iter().map(|(name, _)| columns(name)).max();

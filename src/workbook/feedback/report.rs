@@ -228,7 +228,8 @@ fn passed(verdict: &Verdict, text: &mut String) {
     }
 }
 
-/// A command as the reader types it.
+/// A command as the reader types it; its blanks do not break ([`super::paint::printable`]).
 pub fn command(arguments: &str) -> String {
-    paint(CODE, format!("`cargo run -- {arguments}`"))
+    let text = format!("`cargo run -- {arguments}`");
+    paint(CODE, text.replace(' ', "\u{a0}"))
 }

@@ -45,7 +45,10 @@ The weights $\lambda_i \ge 0$ sum to one.
 fn a_new_reader_comes_from_the_list_to_a_solved_exercise() {
     let reader = Reader::new();
     assert_eq!(reader.item()["state"], "open");
-    reader.run(&["list"]).assert_status(0).assert_says(NAME);
+    reader
+        .run(&["list"])
+        .assert_status(0)
+        .assert_says("parabola-point A point");
 
     let run = reader.run(&["start", "parabola-point"]);
     run.assert_status(0).assert_says("b₀, b₁, b₂");
@@ -207,6 +210,42 @@ fn an_explanation_is_judged_by_the_reader() {
         .run(&["check"])
         .assert_status(2)
         .assert_says("--pack");
+}
+
+#[test]
+fn a_tableau_has_fresh_numbers_for_each_seed() {
+    let reader = Reader::new();
+    let file = "bezier/cubic-tableau.rs";
+    let start = |seed: &str| reader.json(&["start", "cubic-tableau", "--fresh", seed]);
+    assert_eq!(start("7")["seed"], 7);
+    let deal = cagd::bezier::tableaux::cubic(7);
+    assert_eq!(reader.read(file), deal.answer_file());
+    std::fs::write(reader.path(file), deal.solved_file()).expect("a file");
+    reader.run(&["check"]).assert_status(0);
+    let solution = reader.json(&["solution"]);
+    assert_eq!(solution["solution"], deal.solved_file());
+
+    let again = start("8");
+    assert_ne!(reader.read(file), deal.answer_file());
+    assert_eq!(
+        reader.read("backups/bezier/cubic-tableau.1.rs"),
+        deal.solved_file()
+    );
+    assert!(
+        again["backup"]
+            .as_str()
+            .is_some_and(|file| file.ends_with(".1.rs"))
+    );
+    let any = reader.json(&["start", "cubic-tableau", "--fresh"]);
+    let seed = any["seed"].as_u64().expect("a seed");
+    assert_eq!(
+        reader.read(file),
+        cagd::bezier::tableaux::cubic(seed).answer_file()
+    );
+    // The former numbers are no reason to speak of a starter that has changed.
+    reader
+        .run(&["check"])
+        .assert_silent_about("starter has changed");
 }
 
 #[test]
