@@ -201,7 +201,13 @@ fn failed(test: String, failure: Failure) -> TestResult {
     } else {
         TestOutcome::Panicked
     };
-    let mut result = result(test, outcome, failure.message);
+    // An index out of bounds says little without its place; the path is that of our scratch folder.
+    let place = failure.place.strip_prefix("answer.rs:");
+    let message = match place.filter(|_| outcome == TestOutcome::Panicked) {
+        Some(line) => format!("{} (line {line} of your answer)", failure.message),
+        None => failure.message,
+    };
+    let mut result = result(test, outcome, message);
     if let Some(finding) = failure.finding {
         let given = |text: String| Some(text).filter(|text| !text.is_empty());
         result.claim = given(finding.claim);

@@ -221,15 +221,12 @@ pub(super) fn starter_changed(exercise: &Exercise) -> String {
 }
 
 fn what_next(exercise: &Exercise) -> String {
-    let check = if exercise.front.kind == ExerciseKind::Explain {
-        "shows what a good answer says"
-    } else {
-        "tests your answer"
-    };
+    let (check, hint) = (command("check"), command("hint"));
+    if exercise.front.kind == ExerciseKind::Explain {
+        return format!("\n{check}  shows what a good answer says\n{hint}   helps a little\n");
+    }
+    let watch = command("watch");
     format!(
-        "\n{}  {check}\n{}  tests it whenever you save\n{}   helps a little\n",
-        command("check"),
-        command("watch"),
-        command("hint"),
+        "\n{check}  tests your answer\n{watch}  tests it whenever you save\n{hint}   helps a little\n"
     )
 }

@@ -25,6 +25,7 @@ fn squeezed(text: &str) -> String {
         .replace("[ ", "[")
         .replace(" ]", "]")
         .replace(" ,", ",")
+        .replace(" .", ".")
 }
 
 struct Reader {

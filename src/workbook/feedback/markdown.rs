@@ -9,6 +9,9 @@ use crate::book::catalogue::Catalogue;
 /// How far code and formulas on lines of their own are moved in.
 const INDENT: &str = "    ";
 
+/// How long a formula in a sentence may be to stay on one line.
+const UNBROKEN: usize = 24;
+
 /// The Markdown of an exercise, with lines that fit into a terminal.
 ///
 /// References become the titles of the statements.
@@ -68,10 +71,17 @@ impl Page {
                 None => self.paragraph.push_str(&text),
             },
             Event::Code(code) => self.paragraph.push_str(&paint(CODE, format!("`{code}`"))),
-            Event::InlineMath(latex) => self.paragraph.push_str(&readable(&latex)),
+            Event::InlineMath(latex) => {
+                let text = readable(&latex);
+                self.paragraph.push_str(&if columns(&text) <= UNBROKEN {
+                    text.replace(' ', "\u{a0}")
+                } else {
+                    text
+                });
+            }
             Event::DisplayMath(latex) => {
                 self.flush();
-                self.block(&readable(&latex));
+                self.formula(&latex);
             }
             Event::SoftBreak => self.paragraph.push(' '),
             Event::HardBreak => self.paragraph.push('\n'),
@@ -120,7 +130,7 @@ impl Page {
             Event::End(TagEnd::CodeBlock) => {
                 if let Some((language, code)) = self.code.take() {
                     match language.as_str() {
-                        "math" => self.block(&readable(&code)),
+                        "math" => self.formula(&code),
                         _ => self.block(code.trim_end()),
                     }
                 }
@@ -172,6 +182,13 @@ impl Page {
         self.text.push('\n');
     }
 
+    /// A formula on lines of its own.
+    fn formula(&mut self, latex: &str) {
+        let text = wrapped(&readable(latex), INDENT, &INDENT.repeat(2));
+        self.text.push_str(&text);
+        self.text.push('\n');
+    }
+
     fn write_table(&mut self) {
         let rows = std::mem::take(&mut self.table);
         let count = rows.iter().map(Vec::len).max().unwrap_or_default();
@@ -197,5 +214,35 @@ impl Page {
             self.text.push('\n');
         }
         self.text.push('\n');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::paint::{WIDTH, printable};
+    use super::*;
+
+    fn plain(text: &str) -> String {
+        let text = printable(&rendered(text, &Catalogue::default()));
+        anstream::adapter::strip_str(&text).to_string()
+    }
+
+    #[test]
+    fn a_task_becomes_lines_of_text() {
+        let text = plain(
+            "Given is $b_0$,\nand `f`.\n\n- one\n- two:\n  1. *deep*\n\n```rust\nlet x = 1;\n```\n\n```math\nx = \\frac12\n```\n\n| a | b |\n|---|---|\n| 1 | $t^2$ |\n\nSee {{#ref nothing}}.\n",
+        );
+        let expected = "Given is b₀, and `f`.\n\n  • one\n  • two:\n    1. deep\n\n    let x = 1;\n\n    x = 1/2\n\n    a  b\n    1  t²\n\nSee nothing.\n";
+        assert_eq!(text, expected);
+    }
+
+    #[test]
+    fn a_short_formula_stays_on_its_line() {
+        let text = plain(&format!("{} $b_0 \\ne b_1$", "word ".repeat(14)));
+        assert!(text.contains("b₀ ≠ b₁"), "{text}");
+        let long = plain(
+            "$$a + b + c + d + e + f + g + h + i + j + k + l + m + n + o + p + q + r + s + t + u + v + w$$",
+        );
+        assert!(long.lines().all(|line| columns(line) <= WIDTH), "{long}");
     }
 }

@@ -25,6 +25,11 @@ pub fn drawable(strokes: &[PictureStroke]) -> Vec<PictureStroke> {
                 .filter(|point| point.iter().all(|x| x.is_finite()))
                 .collect(),
         })
+        // A curve that stays where it is is a point, and is drawn as one.
+        .map(|mut stroke| {
+            stroke.points.dedup();
+            stroke
+        })
         .filter(|stroke| !stroke.points.is_empty())
         .collect()
 }

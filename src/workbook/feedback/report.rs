@@ -84,6 +84,8 @@ fn does_not_compile(verdict: &Verdict, text: &mut String) {
         let line = format!("… and {more} more; the first ones often cause the others.\n");
         text.push_str(&line);
     }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
 }
 
 /// The words of the compiler, with a coloured beginning.

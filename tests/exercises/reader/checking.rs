@@ -124,6 +124,28 @@ fn colours_come_when_they_are_asked_for() {
 }
 
 #[test]
+fn a_panic_of_the_answer_is_told_with_its_line() {
+    let reader = Reader::begun();
+    let starter = sources().answer.starter;
+    let panics = starter.replace(
+        "let _ = t;",
+        "let _ = t; let no: Vec<u8> = vec![]; let _ = no[3];",
+    );
+    assert_ne!(panics, starter);
+    let line = starter
+        .lines()
+        .position(|line| line.contains("let _ = t;"))
+        .expect("the starter has this line");
+    reader.write(&panics);
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says("your answer panicked");
+    run.assert_says(&format!(
+        "the index is 3 (line {} of your answer)",
+        line + 1
+    ));
+}
+
+#[test]
 fn errors_of_the_compiler_point_into_the_readers_file() {
     let reader = Reader::begun();
     let starter = sources().answer.starter;
@@ -196,10 +218,13 @@ fn an_explanation_is_judged_by_the_reader() {
     let pack = pack.to_str().expect("UTF-8");
     let run = |arguments: &[&str]| reader.run(&[arguments, &["--pack", pack]].concat());
     run(&["start", "near-polygon"]).assert_says("see “");
+    let early = Reader::new();
+    early
+        .run(&["solution", "near-polygon", "--pack", pack])
+        .assert_silent_about("λᵢ");
     run(&["check"])
         .assert_status(1)
         .assert_says("[ ] the weights are not negative");
-    run(&["solution"]);
     run(&["solution"]).assert_says("λᵢ ≥ 0");
     run(&["watch"]).assert_status(2).assert_says("next step");
     run(&["check", "bezier/near-polygon", "--done"]).assert_status(0);
