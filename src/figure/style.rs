@@ -41,6 +41,8 @@ pub enum Style {
     Region,
     /// A second filled region.
     SecondRegion,
+    /// A part of a filled whole (1, 2, 3, …): each has the colour of the point of that [`PointStyle::Level`].
+    Share(usize),
     /// A filled disc or polygon with an outline that itself is what is shown.
     Disc,
 }
@@ -300,6 +302,10 @@ impl Style {
             },
             Style::Region => Look::area("region", REGION, 0.2),
             Style::SecondRegion => Look::area("second-region", ACCENT, 0.16),
+            Style::Share(part) => {
+                let k = (part.max(1) - 1) % LEVELS.len();
+                Look::area(&format!("share-{}", k + 1), LEVELS[k], 0.3)
+            }
             Style::Disc => Look {
                 fill: Some((ACCENT, 0.25)),
                 layer: 1,

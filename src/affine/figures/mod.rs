@@ -7,6 +7,9 @@ mod convexity;
 mod maps;
 mod points_and_vectors;
 
+pub use barycentric::*;
+pub use combinations::*;
+
 use crate::figure::Figure;
 
 /// All figures of this chapter.
