@@ -2,6 +2,10 @@
 
 mod compute;
 mod reader;
+mod pack;
+mod sabotage;
+mod schema;
+mod verified;
 
 use std::path::{Path, PathBuf};
 

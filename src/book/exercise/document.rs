@@ -119,10 +119,12 @@ fn sections(text: &str, body_start: usize) -> Vec<(String, usize, Section)> {
 
 fn section(text: &str, start: usize, end: usize) -> Section {
     let body = &text[start..end];
-    let first = start + (body.len() - body.trim_start().len());
+    // An empty section stands where its text would begin.
+    let space = body.len() - body.trim_start().len();
+    let first = if space == body.len() { 0 } else { space };
     Section {
         text: body.trim().to_owned(),
-        line: line_of(text, first.min(end)),
+        line: line_of(text, start + first),
     }
 }
 

@@ -39,11 +39,16 @@ impl Checker {
     ///
     /// The library does not compile.
     pub fn new(root: &Path, isolation: Isolation) -> Result<Self, CheckingError> {
-        Ok(Self {
-            library: Library::build(root)?,
+        Ok(Self::with_library(Library::build(root)?, isolation))
+    }
+
+    /// Checks with a library that is already there.
+    pub fn with_library(library: Library, isolation: Isolation) -> Self {
+        Self {
+            library,
             isolation,
             limits: Limits::answer(),
-        })
+        }
     }
 
     /// The compiled library.

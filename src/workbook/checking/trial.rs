@@ -129,13 +129,17 @@ fn run_once(
     let (stop, stopped) = mpsc::channel::<()>();
     let path = socket.clone();
     let reader = thread::spawn(move || {
-        let deadline_passed = || !matches!(stopped.try_recv(), Err(mpsc::TryRecvError::Empty));
         // The first to come is the harness, before any code of the answer; nobody else is let in.
+        let mut program_ended = false;
         let stream = loop {
             match listener.accept() {
                 Ok((stream, _)) => break stream,
-                Err(_) if deadline_passed() => return Vec::new(),
-                Err(_) => thread::sleep(Duration::from_micros(300)),
+                Err(_) if program_ended => return Vec::new(),
+                // A short program may come and end between the two questions, so accept has the last word.
+                Err(_) => match stopped.recv_timeout(Duration::from_micros(300)) {
+                    Err(mpsc::RecvTimeoutError::Timeout) => {}
+                    _ => program_ended = true,
+                },
             }
         };
         drop(listener);

@@ -165,15 +165,9 @@ fn news(f: &mut fmt::Formatter<'_>, report: &Report, before: Option<&Report>) ->
 
 fn summary(f: &mut fmt::Formatter<'_>, verified: &[Verified]) -> fmt::Result {
     let sound = verified.iter().filter(|v| v.report.is_sound()).count();
-    let all = verified.len();
-    if sound == all {
-        writeln!(f, "{GOOD}{} verified{GOOD:#}", count(all, "exercise"))
-    } else {
-        writeln!(
-            f,
-            "{BAD}{} of {} fall short{BAD:#}",
-            all - sound,
-            count(all, "exercise")
-        )
+    match (sound, verified.len()) {
+        (1, 1) => writeln!(f, "{GOOD}1 exercise is sound{GOOD:#}"),
+        (sound, all) if sound == all => writeln!(f, "{GOOD}{all} exercises are sound{GOOD:#}"),
+        (sound, all) => writeln!(f, "{BAD}{sound} of {} sound{BAD:#}", count(all, "exercise")),
     }
 }
