@@ -17,7 +17,7 @@ use thiserror::Error;
 use super::checking;
 #[cfg(unix)]
 use super::sandbox::supervisor;
-use super::{commands, house, watch};
+use super::{commands, house, scaffold, watch};
 use crate::book::build::build_with;
 use crate::book::error::{BookError, BookErrors, Problem};
 use crate::book::preprocessor::{self, Workbook};
@@ -60,6 +60,8 @@ enum Command {
     /// Prove exercises sound: the starter fails, the solution passes, every wrong answer is rejected
     #[cfg(unix)]
     Verify(commands::verify::Verify),
+    /// Scaffold an exercise
+    New(commands::new::New),
     /// Show the exercises and how far you are
     #[cfg(unix)]
     List(commands::list::List),
@@ -117,6 +119,8 @@ pub(crate) enum Failure {
     Book(#[from] BookErrors),
     #[error(transparent)]
     Serve(#[from] watch::ServeError),
+    #[error(transparent)]
+    Scaffold(#[from] scaffold::ScaffoldError),
     #[cfg(unix)]
     #[error(transparent)]
     Checking(#[from] checking::CheckingError),
@@ -211,6 +215,7 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Coverage(asked)) => asked.run(),
         #[cfg(unix)]
         Some(Command::Verify(verify)) => verify.run(),
+        Some(Command::New(new)) => new.run(),
         #[cfg(unix)]
         Some(Command::List(list)) => Ok(list.run()?),
         #[cfg(unix)]

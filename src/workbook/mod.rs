@@ -9,6 +9,7 @@
 //! | [`command_line`] | the commands, their arguments and exit statuses |
 //! | `commands` | the commands that need more than a few lines |
 //! | [`verify`] | the proof that an exercise is sound |
+//! | [`scaffold`] | what `new` writes |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
@@ -28,6 +29,7 @@ pub mod house;
 #[cfg(unix)]
 pub mod progress;
 pub mod sandbox;
+pub mod scaffold;
 pub mod server;
 #[cfg(unix)]
 pub mod verify;

@@ -1,9 +1,10 @@
 //! The exercises: their schema, and what checking an answer says.
 
 mod compute;
-mod reader;
 mod pack;
+mod reader;
 mod sabotage;
+mod scaffold;
 mod schema;
 mod verified;
 

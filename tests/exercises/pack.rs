@@ -1,7 +1,7 @@
 //! A pack with one small exercise, in a folder of its own, to be sabotaged.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use cagd::book::catalogue::Catalogue;
@@ -104,6 +104,11 @@ impl Pack {
             pack.mutant(name, misconception, body);
         }
         pack
+    }
+
+    /// The folder of everything.
+    pub fn path(&self) -> &Path {
+        self.folder.path()
     }
 
     fn exercise_folder(&self) -> PathBuf {

@@ -12,6 +12,7 @@
 //! | `reset` | begins an exercise anew and keeps the answer |
 //! | `progress` | takes the progress to another computer |
 //! | `verify` | proves exercises sound |
+//! | `new` | scaffolds an exercise |
 
 #[cfg(unix)]
 pub mod check;
@@ -26,6 +27,7 @@ mod explain;
 pub mod hint;
 #[cfg(unix)]
 pub mod list;
+pub mod new;
 #[cfg(unix)]
 pub mod next;
 #[cfg(unix)]

@@ -12,16 +12,18 @@ use sha2::{Digest, Sha256};
 
 use super::candidate::Candidate;
 use super::report::Report;
+use super::to_do::texts;
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::library::{Library, hex, replace};
 use crate::workbook::checking::{Checker, CheckingError};
 
 /// The sources that decide what a report says; whoever changes them makes every record stale.
-const VERIFIER: [&str; 6] = [
+const VERIFIER: [&str; 7] = [
     include_str!("candidate.rs"),
     include_str!("trial.rs"),
     include_str!("judge.rs"),
     include_str!("report.rs"),
+    include_str!("to_do.rs"),
     include_str!("../checking/compile.rs"),
     include_str!("../checking/trial.rs"),
 ];
@@ -50,6 +52,9 @@ pub fn key(library: &Library, exercise: &Exercise, tested: &Tested) -> String {
     VERIFIER.iter().for_each(|source| add(source));
     add(&exercise.folder.to_string_lossy());
     add(exercise.front.kind.name());
+    for (_, _, text) in texts(exercise) {
+        add(text);
+    }
     add(&tested.tests.text);
     add(&tested.tests.program());
     for candidate in Candidate::all(exercise, tested) {

@@ -5,6 +5,7 @@ use super::report::{
     AlternativeReport, Column, MutantReport, Report, Shortcoming, SolutionReport, StarterReport,
     TestReport,
 };
+use super::to_do;
 use super::trial::{Compilation, OTHER_SEEDS, Trial, first_failure};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::misconception::behave_alike;
@@ -12,6 +13,14 @@ use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 
 /// The report about an explanation, which has no program to verify.
 pub fn exempt(exercise: &Exercise) -> Report {
+    Report {
+        shortcomings: to_do::list(exercise),
+        ..nothing_tried(exercise)
+    }
+}
+
+/// A report in which every field is still open.
+fn nothing_tried(exercise: &Exercise) -> Report {
     Report {
         exercise: exercise.name.clone(),
         kind: exercise.front.kind,
@@ -30,7 +39,7 @@ pub fn exempt(exercise: &Exercise) -> Report {
 pub fn judge(exercise: &Exercise, tested: &Tested, trials: &[Trial]) -> Report {
     let mut judge = Judge {
         exercise,
-        shortcomings: Vec::new(),
+        shortcomings: to_do::list(exercise),
     };
     let of = |role| trials.iter().filter(move |t| t.candidate.role == role);
     for trial in trials {
@@ -98,7 +107,7 @@ pub fn judge(exercise: &Exercise, tested: &Tested, trials: &[Trial]) -> Report {
         ),
         seconds: trials.iter().map(|trial| trial.seconds).sum(),
         shortcomings,
-        ..exempt(exercise)
+        ..nothing_tried(exercise)
     }
 }
 

@@ -10,6 +10,7 @@
 //! | [`candidate`] | the answers that an exercise brings: starter, solution, mutants, alternatives |
 //! | [`trial`] | one of them is compiled and run |
 //! | [`judge`] | the rules: what the trials must show |
+//! | [`to_do`] | what an author has left open |
 //! | [`report`] | what `verify --json` prints |
 //! | [`session`] | many exercises at once, on all cores, with the cache |
 //! | [`cache`] | what was verified stays so until something changes |
@@ -23,6 +24,7 @@ pub mod junit;
 pub mod report;
 pub mod session;
 pub mod text;
+pub mod to_do;
 pub mod trial;
 
 use std::path::Path;

@@ -1,0 +1,63 @@
+//! How long a reader waits: from saving an answer to its verdict, warm.
+//!
+//! What was measured, and how to read it, is in `README.md` beside this file.
+
+use std::path::Path;
+use std::time::Duration;
+use std::{fs, hint};
+
+use cagd::book::catalogue::Catalogue;
+use cagd::book::exercise::Exercises;
+use cagd::workbook::checking::check::Answer;
+use cagd::workbook::checking::{Checker, Outcome};
+use cagd::workbook::sandbox::Isolation;
+use criterion::{Criterion, criterion_group, criterion_main};
+
+fn verdict(c: &mut Criterion) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = || {
+        let catalogue = Catalogue::load(root).expect("the catalogue loads");
+        Exercises::load(root, &[], &catalogue).expect("the exercises follow the schema")
+    };
+    let exercises = read();
+    let name = "bezier/parabola-point".parse().expect("a name");
+    let exercise = exercises.get(&name).expect("the exercise is there");
+    let tested = exercise.tested.as_ref().expect("it has tests");
+    let checker = Checker::new(root, Isolation::best()).expect("the library compiles");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("parabola-point.rs");
+    let judge = |checker: &Checker, text: &str, expected: Outcome| {
+        fs::write(&file, text).expect("the answer is saved");
+        let answer = Answer {
+            shown_as: file.display().to_string(),
+            text: fs::read_to_string(&file).expect("the answer is there"),
+        };
+        let verdict = checker.check(exercise, tested, &answer, 1);
+        let verdict = verdict.expect("the answer is checked");
+        assert_eq!(verdict.outcome, expected);
+        hint::black_box(verdict);
+    };
+
+    let mut group = c.benchmark_group("from saving to the verdict");
+    group
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(15));
+    group.bench_function("right answer, watched", |b| {
+        b.iter(|| judge(&checker, &tested.answer.solution, Outcome::Passed));
+    });
+    group.bench_function("wrong answer, watched", |b| {
+        b.iter(|| judge(&checker, &tested.mutants[0].text, Outcome::Failed));
+    });
+    // A command of its own reads the exercises and looks after the library first.
+    group.bench_function("wrong answer, new command", |b| {
+        b.iter(|| {
+            hint::black_box(read());
+            let checker = Checker::new(root, Isolation::best()).expect("the library compiles");
+            judge(&checker, &tested.mutants[0].text, Outcome::Failed);
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, verdict);
+criterion_main!(benches);
