@@ -7,8 +7,11 @@ mod convexity;
 mod maps;
 mod points_and_vectors;
 
+pub use areas::*;
 pub use barycentric::*;
 pub use combinations::*;
+pub use convexity::*;
+pub use maps::*;
 
 use crate::figure::Figure;
 
