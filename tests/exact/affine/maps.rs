@@ -119,26 +119,26 @@ fn map_examples() {
 
 /// Proved for all images and all coordinates, for the bases named, in the dimensions 1, 2 and 3: both sides are linear in
 /// the images, so one image coordinate 1 and the others 0 are enough, and affine in the coordinates of the point.
-fn determined_in_dimension<const D: usize>(
-    bases: &[&[[i64; D]]],
-    implementation: fn(&AffineBasis<Exact, D>, &[Point<Exact, 1>]) -> AffineMap<Exact, D, 1>,
-) -> Result<(), String> {
-    let inputs = bases.iter().flat_map(|points| {
-        let basis = AffineBasis::new(points.iter().map(|p| at(p))).expect("a basis");
-        (0..=D).flat_map(move |one| {
-            let images: Vec<Point<Exact, 1>> =
-                (0..=D).map(|i| at(&[i64::from(i == one)])).collect();
-            let basis = basis.clone();
-            unit_points::<D>().map(move |weights| (basis.clone(), images.clone(), weights))
-        })
-    });
-    for_each(inputs, |(basis, images, weights)| {
-        laws::map_determined_by_basis(implementation, basis, images, weights.coordinates())
-    })
-}
-
 #[test]
 fn map_determined_by_basis() {
+    fn determined_in_dimension<const D: usize>(
+        bases: &[&[[i64; D]]],
+        implementation: fn(&AffineBasis<Exact, D>, &[Point<Exact, 1>]) -> AffineMap<Exact, D, 1>,
+    ) -> Result<(), String> {
+        let inputs = bases.iter().flat_map(|points| {
+            let basis = AffineBasis::new(points.iter().map(|p| at(p))).expect("a basis");
+            (0..=D).flat_map(move |one| {
+                let images: Vec<Point<Exact, 1>> =
+                    (0..=D).map(|i| at(&[i64::from(i == one)])).collect();
+                let basis = basis.clone();
+                unit_points::<D>().map(move |weights| (basis.clone(), images.clone(), weights))
+            })
+        });
+        for_each(inputs, |(basis, images, weights)| {
+            laws::map_determined_by_basis(implementation, basis, images, weights.coordinates())
+        })
+    }
+
     let library = |basis: &AffineBasis<Exact, 2>, images: &[Point<Exact, 1>]| {
         AffineMap::from_images(basis, images).expect("one image a point")
     };
