@@ -62,6 +62,9 @@ enum Command {
     Verify(commands::verify::Verify),
     /// Scaffold an exercise
     New(commands::new::New),
+    /// Check what students have handed in
+    #[cfg(unix)]
+    Grade(commands::grade::Grade),
     /// Show the exercises and how far you are
     #[cfg(unix)]
     List(commands::list::List),
@@ -137,6 +140,9 @@ pub(crate) enum Failure {
     Pack { pack: PathBuf, reason: String },
     #[cfg(unix)]
     #[error(transparent)]
+    Grade(#[from] super::grade::GradeError),
+    #[cfg(unix)]
+    #[error(transparent)]
     Command(#[from] commands::CommandError),
     #[error("{0}")]
     Preprocessor(String),
@@ -172,6 +178,8 @@ impl Failure {
 pub(crate) enum Outcome {
     Fine,
     FallsShort,
+    /// Part of it could not run; what is known has been printed.
+    CouldNotRun,
 }
 
 /// Runs the command that the process was started with and returns its exit status.
@@ -180,6 +188,7 @@ pub fn run() -> ExitCode {
     match execute(CommandLine::parse()) {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::FallsShort) => ExitCode::from(1),
+        Ok(Outcome::CouldNotRun) => ExitCode::from(2),
         // A reader that closes the pipe early, such as `head`, has what it wanted.
         Err(failure) if failure.is_broken_pipe() => ExitCode::SUCCESS,
         Err(Failure::Book(errors)) => {
@@ -216,6 +225,8 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         #[cfg(unix)]
         Some(Command::Verify(verify)) => verify.run(),
         Some(Command::New(new)) => new.run(),
+        #[cfg(unix)]
+        Some(Command::Grade(grade)) => grade.run(),
         #[cfg(unix)]
         Some(Command::List(list)) => Ok(list.run()?),
         #[cfg(unix)]

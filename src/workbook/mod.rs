@@ -10,6 +10,7 @@
 //! | `commands` | the commands that need more than a few lines |
 //! | [`verify`] | the proof that an exercise is sound |
 //! | [`scaffold`] | what `new` writes |
+//! | [`grade`] | a folder of submissions is checked |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
@@ -25,6 +26,8 @@ mod commands;
 mod durable;
 #[cfg(unix)]
 pub mod feedback;
+#[cfg(unix)]
+pub mod grade;
 pub mod house;
 #[cfg(unix)]
 pub mod progress;

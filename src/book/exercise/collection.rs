@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::document::{self, Document};
 use super::front_matter::FrontMatter;
+use super::hidden;
 use super::marked::MarkedSource;
 use super::tests_source::TestsSource;
 use super::{Exercise, ExerciseKind, ExerciseName, Tested, Variant};
@@ -35,7 +36,11 @@ impl Exercises {
         let mut exercises = Vec::new();
         let folders = std::iter::once(PathBuf::from(FOLDER)).chain(packs.iter().cloned());
         for folder in folders {
+            let is_pack = folder != Path::new(FOLDER);
             for (name, folder) in folders_of(root, &folder, &mut errors) {
+                if is_pack && hidden::are_in(&root.join(&folder)) {
+                    continue;
+                }
                 match read(root, &folder, &name) {
                     Ok(exercise) => {
                         check(&exercise, catalogue, &mut errors);
@@ -83,7 +88,7 @@ impl Exercises {
     }
 }
 
-fn mistake(
+pub(super) fn mistake(
     file: impl AsRef<Path>,
     line: usize,
     found: impl Into<String>,
@@ -94,7 +99,7 @@ fn mistake(
 }
 
 /// The folders `<chapter>/<name>` below `folder`, sorted.
-fn folders_of(
+pub(super) fn folders_of(
     root: &Path,
     folder: &Path,
     errors: &mut Vec<BookError>,
@@ -127,7 +132,7 @@ fn folders_of(
 }
 
 /// The names of what a folder holds, sorted; nothing if it is not there.
-fn entries(folder: &Path) -> Vec<String> {
+pub(super) fn entries(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(folder)
         .into_iter()
         .flatten()

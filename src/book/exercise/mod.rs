@@ -14,10 +14,13 @@
 //!
 //! An *explain* exercise has `exercise.md` alone, with the sections `## Model answer` and `## Checklist`.
 //! Nothing else has to be edited to add an exercise.
+//!
+//! A pack, `--pack DIR`, is a folder of exercises elsewhere. It may also hold tests that only `grade` runs ([`hidden`]).
 
 pub mod collection;
 pub mod document;
 pub mod front_matter;
+pub mod hidden;
 pub mod marked;
 pub mod tests_source;
 
@@ -32,6 +35,7 @@ use crate::tableaux;
 pub use collection::Exercises;
 pub use document::{Document, Section};
 pub use front_matter::FrontMatter;
+pub use hidden::HiddenTests;
 pub use marked::MarkedSource;
 pub use tests_source::{TestItem, TestsSource};
 

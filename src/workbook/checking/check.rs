@@ -51,6 +51,13 @@ impl Checker {
         }
     }
 
+    /// The same checker with other limits for the answers.
+    #[must_use]
+    pub fn with_limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
     /// The compiled library.
     pub fn library(&self) -> &Library {
         &self.library

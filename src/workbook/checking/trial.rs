@@ -2,6 +2,7 @@
 
 use std::io::{BufRead, BufReader, Read};
 use std::os::unix::net::UnixListener;
+use std::path::Path;
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
@@ -120,8 +121,13 @@ fn run_once(
     limits: &Limits,
     isolation: Isolation,
 ) -> Result<(Vec<Message>, Run), CheckingError> {
-    let scratch = program.folder.path();
-    let socket = scratch.join("channel");
+    // A new folder for each run, beside that of the sources: the program sees neither the tests nor an earlier run.
+    let work = program.folder.path().parent().unwrap_or(Path::new("."));
+    let scratch = tempfile::Builder::new()
+        .prefix("run-")
+        .tempdir_in(work)
+        .map_err(|e| CheckingError::file(work, &e))?;
+    let socket = scratch.path().join("channel");
     let listener = UnixListener::bind(&socket).map_err(|e| CheckingError::file(&socket, &e))?;
     listener
         .set_nonblocking(true)
@@ -164,8 +170,8 @@ fn run_once(
             ("PROPTEST_DISABLE_FAILURE_PERSISTENCE".into(), "true".into()),
             ("RUST_BACKTRACE".into(), "0".into()),
         ],
-        scratch: scratch.to_path_buf(),
-        readable: vec![program.path.clone()],
+        scratch: scratch.path().to_path_buf(),
+        readable: Vec::new(),
         needs_system: false,
         limits: limits.clone(),
     };

@@ -109,6 +109,12 @@ impl Verdict {
         self.outcome == Outcome::Passed
     }
 
+    /// How many tests passed.
+    pub fn passed_tests(&self) -> usize {
+        let passed = |test: &&TestResult| test.outcome == TestOutcome::Passed;
+        self.tests.iter().filter(passed).count()
+    }
+
     /// The number of warnings of the compiler.
     pub fn warnings(&self) -> usize {
         let is_warning = |diagnostic: &&Diagnostic| diagnostic.level == "warning";

@@ -13,6 +13,7 @@
 //! | `progress` | takes the progress to another computer |
 //! | `verify` | proves exercises sound |
 //! | `new` | scaffolds an exercise |
+//! | `grade` | checks what students hand in |
 
 #[cfg(unix)]
 pub mod check;
@@ -23,6 +24,8 @@ mod desk;
 mod error;
 #[cfg(unix)]
 mod explain;
+#[cfg(unix)]
+pub mod grade;
 #[cfg(unix)]
 pub mod hint;
 #[cfg(unix)]

@@ -50,7 +50,7 @@ impl Verify {
     pub(crate) fn run(&self) -> Result<Outcome, Failure> {
         let root = house::find()?;
         let catalogue = Catalogue::load(&root)?;
-        let exercises = Exercises::load(&root, &self.packs()?, &catalogue)?;
+        let exercises = Exercises::load(&root, &absolute_packs(&self.pack)?, &catalogue)?;
         let chosen = self.chosen(&exercises)?;
         let checker = Checker::new(&root, Isolation::best())?;
         let bar = progress_bar();
@@ -89,35 +89,45 @@ impl Verify {
         })
     }
 
-    /// The folders of the packs, which are named from where the instructor stands.
-    fn packs(&self) -> Result<Vec<PathBuf>, Failure> {
-        let absolute = |pack: &PathBuf| {
-            pack.canonicalize().map_err(|e| Failure::Pack {
-                pack: pack.clone(),
-                reason: e.to_string(),
-            })
-        };
-        self.pack.iter().map(absolute).collect()
-    }
-
     /// The exercises of the names, in the order of the list; all without names.
     fn chosen<'a>(&self, exercises: &'a Exercises) -> Result<Vec<&'a Exercise>, Failure> {
-        let fits = |name: &str, exercise: &Exercise| {
-            exercise.name.to_string() == name || exercise.name.chapter() == name
-        };
-        for name in &self.names {
-            if !exercises.iter().any(|exercise| fits(name, exercise)) {
-                return Err(Failure::NoExercise {
-                    name: name.clone(),
-                    similar: exercises.similar(name),
-                });
-            }
-        }
-        let is_chosen = |exercise: &&Exercise| {
-            self.names.is_empty() || self.names.iter().any(|name| fits(name, exercise))
-        };
+        require_names(&self.names, exercises)?;
+        let is_chosen =
+            |exercise: &&Exercise| self.names.is_empty() || is_named(&self.names, exercise);
         Ok(exercises.iter().filter(is_chosen).collect())
     }
+}
+
+/// The folders of the packs, which are named from where the instructor stands.
+pub(super) fn absolute_packs(packs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let absolute = |pack: &PathBuf| {
+        pack.canonicalize().map_err(|e| Failure::Pack {
+            pack: pack.clone(),
+            reason: e.to_string(),
+        })
+    };
+    packs.iter().map(absolute).collect()
+}
+
+/// Whether one of the names is that of the exercise or of its chapter.
+pub(super) fn is_named(names: &[String], exercise: &Exercise) -> bool {
+    let fits =
+        |name: &String| exercise.name.to_string() == *name || exercise.name.chapter() == name;
+    names.iter().any(fits)
+}
+
+/// Each name is that of an exercise or of a chapter with exercises.
+pub(super) fn require_names(names: &[String], exercises: &Exercises) -> Result<(), Failure> {
+    for name in names {
+        let one = std::slice::from_ref(name);
+        if !exercises.iter().any(|exercise| is_named(one, exercise)) {
+            return Err(Failure::NoExercise {
+                name: name.clone(),
+                similar: exercises.similar(name),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// A bar on the terminal; nothing where standard error is none.
