@@ -13,6 +13,7 @@
 //! | [`tableaux`] | every tableau that deals fresh numbers for computing by hand |
 //! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
 //! | `gallery` | every figure of every chapter, by id (feature `figures`) |
+//! | `live` | figures drawn again with the reader's values, for pages (feature `figures`) |
 //! | `book` | statements, directives, evidence and the mdBook preprocessor (feature `book`) |
 //! | `workbook` | the server and the command line (feature `workbook`) |
 
@@ -32,6 +33,9 @@ pub mod tableaux;
 pub mod figure;
 #[cfg(feature = "figures")]
 pub mod gallery;
+
+#[cfg(feature = "figures")]
+pub mod live;
 
 #[cfg(feature = "book")]
 pub mod book;

@@ -28,15 +28,22 @@ pub struct BuildReport {
 ///
 /// Everything that is wrong with the book, each with file and line; or that `out` cannot be written.
 pub fn build(root: &Path, out: &Path) -> Result<BuildReport, BookErrors> {
-    build_with(root, out, Workbook::default())
+    build_with(root, out, Workbook::default(), &[])
 }
 
 /// Builds a book with the given preprocessor, which has the figures and computed texts; see [`build`].
 ///
+/// The files `more` are put beside the pages.
+///
 /// # Errors
 ///
 /// As for [`build`].
-pub fn build_with(root: &Path, out: &Path, workbook: Workbook) -> Result<BuildReport, BookErrors> {
+pub fn build_with(
+    root: &Path,
+    out: &Path,
+    workbook: Workbook,
+    more: &[(&str, Vec<u8>)],
+) -> Result<BuildReport, BookErrors> {
     let start = Instant::now();
     let root = std::path::absolute(root).map_err(|e| unwritable(out, &e))?;
     let out = std::path::absolute(out).map_err(|e| unwritable(out, &e))?;
@@ -51,6 +58,9 @@ pub fn build_with(root: &Path, out: &Path, workbook: Workbook) -> Result<BuildRe
     book.config.build.build_dir = site.clone();
     book.with_preprocessor(workbook);
     book.build().map_err(|e| mdbook_error(&root, &e))?;
+    for (name, bytes) in more {
+        std::fs::write(site.join(name), bytes).map_err(|e| unwritable(&out, &e))?;
+    }
     swap(&site, &out, fresh.path()).map_err(|e| unwritable(&out, &e))?;
     Ok(BuildReport {
         pages: count_pages(&out),

@@ -11,6 +11,7 @@ use super::error::{BookErrors, Place};
 use super::evidence::{AllEvidence, Doubt, Evidence, Gap};
 use super::exercise::{Exercise, Exercises};
 use super::manuscript::Manuscript;
+use super::registry::Registry;
 
 /// One statement with its evidence; serialised, it is an entry of `coverage --json`.
 #[derive(Debug, Clone, Serialize)]
@@ -65,7 +66,13 @@ impl Coverage {
         let manuscript = Manuscript::load(root, &catalogue, &mut errors);
         BookErrors::none_of(errors)?;
         let exercises = Exercises::load(root, &[], &catalogue)?;
-        let mut all = AllEvidence::find(root, &catalogue, &manuscript, &exercises)?;
+        let mut all = AllEvidence::find(
+            root,
+            &catalogue,
+            &manuscript,
+            &exercises,
+            &Registry::of_all_chapters(),
+        )?;
         let begun: BTreeSet<&str> = manuscript
             .statements
             .keys()

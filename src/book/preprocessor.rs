@@ -126,7 +126,15 @@ impl Workbook {
 
 /// Looks up the evidence, for which the expansions wait.
 fn find_evidence(site: &Site<'_>) {
-    let find = || AllEvidence::find(site.root, site.catalogue, site.manuscript, site.exercises);
+    let find = || {
+        AllEvidence::find(
+            site.root,
+            site.catalogue,
+            site.manuscript,
+            site.exercises,
+            site.registry,
+        )
+    };
     let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(find));
     let (evidence, panic) = match found {
         Ok(Ok(evidence)) => (evidence, None),

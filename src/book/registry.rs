@@ -15,6 +15,8 @@ pub struct RegisteredFigure {
     pub title: String,
     /// What it shows, for those who cannot see it.
     pub description: String,
+    /// Whether a reader can change something in it.
+    pub live: bool,
     /// Draws it with its default parameters, as SVG.
     pub draw: Box<dyn Fn() -> Result<String, String> + Send + Sync>,
 }
@@ -48,6 +50,7 @@ impl Registry {
                 id: figure.id().to_owned(),
                 title: figure.title().to_owned(),
                 description: figure.description().to_owned(),
+                live: !figure.parameters().is_empty(),
                 draw: Box::new(move || figure.svg().map_err(|e| e.to_string())),
             })
         })

@@ -5,9 +5,12 @@ use std::ops::RangeInclusive;
 use super::error::FigureError;
 use super::label::{Label, SIZE};
 use super::place::{Place, Position};
+use super::reading::LawReading;
 use super::scheme::Scheme;
 use super::shape::{Aspect, Axes, Item, Looks, Panel, Shape, Side, Window};
 use super::style::{PointStyle, Style};
+use crate::law::Sides;
+use crate::scalar::Scalar;
 
 /// A curve is sampled at this many equal steps.
 ///
@@ -26,6 +29,7 @@ pub struct Canvas {
     figure: String,
     panels: Vec<Panel>,
     current: usize,
+    readings: Vec<LawReading>,
     mistake: Option<FigureError>,
 }
 
@@ -35,16 +39,26 @@ impl Canvas {
             figure: figure.into(),
             panels: vec![],
             current: 0,
+            readings: vec![],
             mistake: None,
         }
     }
 
     /// What was drawn, or the first mistake.
-    pub(super) fn finish(self) -> Result<Vec<Panel>, FigureError> {
+    pub(super) fn finish(self) -> Result<(Vec<Panel>, Vec<LawReading>), FigureError> {
         match self.mistake {
             Some(mistake) => Err(mistake),
-            None => Ok(self.panels),
+            None => Ok((self.panels, self.readings)),
         }
+    }
+
+    // ── laws ──
+
+    /// Shows both sides of a law beside the live figure, for the very values that the reader chose.
+    ///
+    /// The picture itself does not change.
+    pub fn law<T: Scalar>(&mut self, sides: &Sides<T>) {
+        self.readings.extend(sides.readings().map(LawReading::of));
     }
 
     // ── panels ──

@@ -269,12 +269,14 @@ impl Figure {
                 source,
             },
         })?;
+        let (panels, readings) = canvas.finish()?;
         let plot = Plot {
             id: self.id.clone(),
             title: self.title.clone(),
             description: self.description.clone(),
             rows: self.rows.clone(),
-            panels: canvas.finish()?,
+            panels,
+            readings,
             windows: vec![],
             handles: self.handle_places(values)?,
         };

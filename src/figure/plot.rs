@@ -3,6 +3,7 @@
 use super::error::{FigureError, PlotError};
 use super::parameter::known;
 use super::place::{Place, Position};
+use super::reading::LawReading;
 use super::render::{self, Picture};
 use super::shape::{Item, Panel, Shape, Window};
 
@@ -36,6 +37,7 @@ pub struct Plot {
     /// The windows of the default picture, so that nothing moves but what is dragged.
     pub(super) windows: Vec<(String, Window)>,
     pub(super) handles: Vec<HandlePlace>,
+    pub(super) readings: Vec<LawReading>,
 }
 
 /// Where a handle is: in the world and in the picture.
@@ -211,6 +213,12 @@ impl Plot {
     #[must_use]
     pub fn handles(&self) -> &[HandlePlace] {
         &self.handles
+    }
+
+    /// What the laws say that the figure illustrates, for these values.
+    #[must_use]
+    pub fn readings(&self) -> &[LawReading] {
+        &self.readings
     }
 
     // ── the picture ──

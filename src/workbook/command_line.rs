@@ -9,12 +9,15 @@
 use std::io::{Write, stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
+use indicatif::ProgressBar;
 use thiserror::Error;
 
 #[cfg(unix)]
 use super::checking;
+use super::live_figures::{self, LiveFiguresError};
 #[cfg(unix)]
 use super::sandbox::supervisor;
 use super::{commands, house, scaffold, watch};
@@ -54,6 +57,9 @@ enum Command {
         /// Leave out the solutions of the exercises, to hand the site out
         #[arg(long)]
         without_solutions: bool,
+        /// Take this wasm build of the figures instead of making one
+        #[arg(long, value_name = "FILE")]
+        wasm: Option<PathBuf>,
     },
     /// Show the evidence for every statement and what is missing
     Coverage(commands::coverage::AskedCoverage),
@@ -144,6 +150,8 @@ pub(crate) enum Failure {
     #[cfg(unix)]
     #[error(transparent)]
     Command(#[from] commands::CommandError),
+    #[error(transparent)]
+    LiveFigures(#[from] LiveFiguresError),
     #[error("{0}")]
     Preprocessor(String),
     #[error(
@@ -211,6 +219,7 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Build {
             out,
             without_solutions,
+            wasm,
         }) => {
             // A folder given on the command line is meant from where the reader stands, the default from the root.
             let root = house::find()?;
@@ -219,7 +228,7 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
             } else {
                 out
             };
-            build(&root, &out, without_solutions)
+            build(&root, &out, without_solutions, wasm.as_deref())
         }
         Some(Command::Coverage(asked)) => asked.run(),
         #[cfg(unix)]
@@ -255,7 +264,12 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
 }
 
 /// A book with errors falls short; a folder that cannot be written keeps the command from running.
-fn build(root: &Path, out: &Path, without_solutions: bool) -> Result<Outcome, Failure> {
+fn build(
+    root: &Path,
+    out: &Path,
+    without_solutions: bool,
+    wasm: Option<&Path>,
+) -> Result<Outcome, Failure> {
     if is_precious(out) {
         return Err(Failure::Precious(out.to_path_buf()));
     }
@@ -263,7 +277,20 @@ fn build(root: &Path, out: &Path, without_solutions: bool) -> Result<Outcome, Fa
         true => Workbook::default().without_solutions(),
         false => Workbook::default(),
     };
-    match build_with(root, out, workbook) {
+    let waiting = ProgressBar::new_spinner().with_message("compiling the live figures");
+    waiting.enable_steady_tick(Duration::from_millis(100));
+    let script = live_figures::script(root, wasm);
+    waiting.finish_and_clear();
+    let more = match script {
+        Ok(script) => vec![(live_figures::SCRIPT, script)],
+        // The site is whole without it: its figures are pictures.
+        Err(LiveFiguresError::NoTarget) if wasm.is_none() => {
+            eprintln!("{}", LiveFiguresError::NoTarget);
+            Vec::new()
+        }
+        Err(error) => return Err(error.into()),
+    };
+    match build_with(root, out, workbook, &more) {
         Ok(_) => {
             writeln!(
                 stdout(),

@@ -11,6 +11,7 @@
 //! | [`verify`] | the proof that an exercise is sound |
 //! | [`scaffold`] | what `new` writes |
 //! | [`grade`] | a folder of submissions is checked |
+//! | [`live_figures`] | the figures as wasm, for a site without a server |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
@@ -29,6 +30,7 @@ pub mod feedback;
 #[cfg(unix)]
 pub mod grade;
 pub mod house;
+pub mod live_figures;
 #[cfg(unix)]
 pub mod progress;
 pub mod sandbox;

@@ -14,12 +14,14 @@ use axum::extract::{Query, State as Shared};
 use axum::http::{Request, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{Html, IntoResponse, Json, Response};
-use axum::routing::get;
+use axum::routing::{get, post};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tower_http::services::{ServeDir, ServeFile};
+
+use crate::live;
 
 /// How long a browser's question for news stays open before it asks again.
 ///
@@ -105,6 +107,7 @@ pub async fn serve(
     let files = ServeDir::new(folder).not_found_service(missing);
     let application = Router::new()
         .route("/__workbook/state", get(news))
+        .route("/__workbook/figure", post(figure))
         .fallback_service(files)
         .layer(middleware::from_fn_with_state(site.clone(), dress))
         .with_state(site);
@@ -143,6 +146,14 @@ async fn news(Shared(mut site): Shared<Site>, Query(heard): Query<Heard>) -> Jso
     }
     let state = site.state.borrow().clone();
     Json(state)
+}
+
+/// Draws a figure with the reader's values, as the wasm build does on a site without a server.
+async fn figure(question: String) -> Response {
+    match tokio::task::spawn_blocking(move || live::answer(&question)).await {
+        Ok(answer) => answer.into_response(),
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
 }
 
 /// Adds the reload script to pages, and answers with an error page while there is no book yet.
@@ -187,6 +198,12 @@ async fn dress(Shared(site): Shared<Site>, request: Request<Body>, next: Next) -
 /// The page with the reload script before its end.
 fn with_script(page: &str, version: &str) -> String {
     let script = RELOAD_SCRIPT.replace("{{version}}", version);
+    // Before any other script asks whether a server answers.
+    let page = page.replacen(
+        "<head>",
+        "<head><script>window.workbookServer = true;</script>",
+        1,
+    );
     match page.rfind("</body>") {
         Some(end) => format!("{}{script}{}", &page[..end], &page[end..]),
         None => format!("{page}{script}"),

@@ -114,7 +114,7 @@ impl Workshop {
         let (sender, receiver) = watch::channel(State::default());
         let workshop = Self {
             root: root.to_path_buf(),
-            out: root.join("target/book"),
+            out: root.join("target/served-book"),
             port,
             program: std::env::current_exe().ok(),
             run: started.map_or(0, |time| time.as_millis()),
@@ -330,7 +330,7 @@ mod tests {
             assert!(is_source(Path::new(source)), "{source}");
         }
         for other in [
-            "target/book/index.html",
+            "target/served-book/index.html",
             "book/src/.shape.md.swp",
             "book/src/shape.md~",
             "snapshots/bezier/a.snap.new",

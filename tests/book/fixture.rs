@@ -83,7 +83,7 @@ impl Fixture {
     /// Builds the book into `out`, a path below the package.
     pub(crate) fn build_into(self, out: &str) -> (TempDir, Result<BuildReport, BookErrors>) {
         let out = self.folder.path().join(out);
-        let report = build_with(self.folder.path(), &out, Workbook::new(self.registry));
+        let report = build_with(self.folder.path(), &out, Workbook::new(self.registry), &[]);
         (self.folder, report)
     }
 
@@ -111,7 +111,7 @@ impl Fixture {
     pub(crate) fn page_without_solutions(self) -> String {
         let out = self.folder.path().join("site");
         let workbook = Workbook::new(self.registry).without_solutions();
-        if let Err(errors) = build_with(self.folder.path(), &out, workbook) {
+        if let Err(errors) = build_with(self.folder.path(), &out, workbook, &[]) {
             panic!("{errors}");
         }
         std::fs::read_to_string(out.join("bezier/page.html")).expect("the page is built")
@@ -138,6 +138,7 @@ fn figure(id: &str, title: &str, description: &str) -> RegisteredFigure {
         id: id.to_owned(),
         title: title.to_owned(),
         description: description.to_owned(),
+        live: false,
         draw: Box::new(|| {
             Ok("<svg viewBox=\"0 0 1 1\">\n\n<path d=\"M0 0L1 1\" />\n</svg>\n".to_owned())
         }),

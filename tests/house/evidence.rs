@@ -133,7 +133,7 @@ fn all_kinds_of_evidence_are_found_with_their_lines() {
         ("property", vec!["tests/property/bezier/shape.rs:3"]),
         ("exact", vec!["tests/exact/bezier/shape.rs:2"]),
         ("figure", vec!["tests/figures/bezier/shape.rs:2"]),
-        ("interactive", vec![]),
+        ("interactive", vec!["tests/figures/bezier/shape.rs:2"]),
         ("exercise", vec![]),
         ("proof", vec!["book/src/bezier/shape.md:16"]),
         ("compile_fail", vec!["book/src/bezier/shape.md:10"]),

@@ -20,7 +20,7 @@
 //! An exercise is evidence for each statement that it names, unless it is an explanation; whether it passes `verify`
 //! is asked by `coverage` ([`AllEvidence::find`] only looks).
 //!
-//! Figures that a reader can change are not in the house yet, so nothing is evidence of that kind.
+//! A figure is *interactive* as well if it has handles or sliders: the page draws it again, by the same function.
 
 mod test_functions;
 mod tokens;
@@ -34,6 +34,7 @@ use super::error::{BookErrors, Place};
 use super::exercise::{Exercise, Exercises};
 use super::manuscript::Manuscript;
 use super::page::{CodeBlock, InnerBlock, Page, StatementBlock};
+use super::registry::Registry;
 
 pub use test_functions::{TestFunction, tests_of_binary};
 
@@ -146,11 +147,13 @@ impl AllEvidence {
         catalogue: &Catalogue,
         manuscript: &Manuscript,
         exercises: &Exercises,
+        registry: &Registry,
     ) -> Result<Self, BookErrors> {
         let sources = Sources {
             root,
             manuscript,
             exercises,
+            registry,
             property: tests_of_binary(root, "property")?,
             exact: tests_of_binary(root, "exact")?,
             figures: tests_of_binary(root, "figures")?,
@@ -186,6 +189,7 @@ struct Sources<'a> {
     root: &'a Path,
     manuscript: &'a Manuscript,
     exercises: &'a Exercises,
+    registry: &'a Registry,
     property: Vec<TestFunction>,
     exact: Vec<TestFunction>,
     figures: Vec<TestFunction>,
@@ -286,7 +290,12 @@ impl Sources<'_> {
         });
         for (id, mention) in inside.chain(elsewhere) {
             match self.figure(&id) {
-                Ok(place) => evidence.add(Need::Figure, place),
+                Ok(place) => {
+                    if self.registry.figure(&id).is_ok_and(|figure| figure.live) {
+                        evidence.add(Need::Interactive, place.clone());
+                    }
+                    evidence.add(Need::Figure, place);
+                }
                 Err(reason) => evidence.doubt(Gap::Need(Need::Figure), mention, reason),
             }
         }

@@ -67,9 +67,14 @@ impl Expansion<'_> {
             }
             None => String::new(),
         };
+        let live = if figure.live {
+            format!(" data-figure=\"{id}\"")
+        } else {
+            String::new()
+        };
         let title = escape(figure.title.trim().trim_end_matches('.'));
         format!(
-            "\n\n<figure class=\"drawing\"{anchor}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>\n</figure>\n\n"
+            "\n\n<figure class=\"drawing\"{anchor}{live}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>\n</figure>\n\n"
         )
     }
 }

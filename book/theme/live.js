@@ -1,0 +1,406 @@
+// Live figures: moves handles and sliders, asks for the picture, shows the answer. What a figure looks like is decided
+// in Rust (`src/live/`): compiled to wasm for a site without a server, or asked of the local server.
+(function () {
+    'use strict';
+
+    const figures = new Map();
+    for (const figure of document.querySelectorAll('figure.drawing[data-figure]')) {
+        // A figure that a page shows twice answers where it stands first.
+        if (!figures.has(figure.dataset.figure)) {
+            figures.set(figure.dataset.figure, figure);
+        }
+    }
+    if (figures.size === 0) {
+        return;
+    }
+    const root = document.currentScript.src.replace(/[^/]*$/, '').replace(/theme\/$/, '');
+
+    // ---- Who answers ----
+
+    /** Answers a question in the page; the promise fails where there is no wasm build. */
+    async function fromWasm() {
+        await new Promise((resolve, reject) => {
+            const script = document.createElement('script');
+            script.src = root + 'figures.js';
+            script.onload = resolve;
+            script.onerror = () => reject(new Error('this site was built without live figures'));
+            document.head.append(script);
+        });
+        const packed = Uint8Array.from(atob(window.cagdFigures), c => c.charCodeAt(0));
+        const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+        const module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+        // What the drawing code never calls is imported all the same.
+        const imports = {};
+        for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+            (imports[from] ??= {})[name] = () => { throw new Error(name + ' is not to be called'); };
+        }
+        const start = async () => (await WebAssembly.instantiate(module, imports)).exports;
+        let exports = await start();
+        const utf8 = { encode: new TextEncoder(), decode: new TextDecoder() };
+        return async question => {
+            const bytes = utf8.encode.encode(question);
+            try {
+                // The memory may grow, and is another one then: it is asked for last.
+                const room = exports.question(bytes.length);
+                new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
+                const length = exports.ask();
+                const at = exports.reply();
+                return utf8.decode.decode(new Uint8Array(exports.memory.buffer, at, length));
+            } catch (error) {
+                // After a panic nothing inside is to be trusted.
+                exports = await start();
+                throw error;
+            }
+        };
+    }
+
+    /** Answers a question by the local server. */
+    function fromServer() {
+        return async question => {
+            const response = await fetch('/__workbook/figure', { method: 'POST', body: question });
+            if (!response.ok) {
+                throw new Error('the server does not answer');
+            }
+            return response.text();
+        };
+    }
+
+    let answering;
+    /** The one who answers, found once. */
+    function ask() {
+        answering ??= window.workbookServer ? Promise.resolve(fromServer()) : fromWasm();
+        return answering;
+    }
+
+    // For tests, which compare the two ways and measure them.
+    window.workbookAsk = ask;
+    window.workbookShow = (id, text) => alive.get(id).show(read(text));
+    const alive = new Map();
+
+    // ---- What an answer says ----
+
+    /** The facts of an answer by name, and its picture. */
+    function read(text) {
+        const end = text.indexOf('\n\n');
+        const facts = { handle: [], slider: [], stepper: [], law: [], svg: text.slice(end + 2) };
+        for (const line of text.slice(0, end).split('\n')) {
+            const [name, ...fields] = line.split('\t');
+            if (Array.isArray(facts[name])) {
+                facts[name].push(fields);
+            } else {
+                facts[name] = fields;
+            }
+        }
+        return facts;
+    }
+
+    // ---- One figure ----
+
+    const element = (name, attributes = {}, ...children) => {
+        const made = document.createElement(name);
+        for (const [key, value] of Object.entries(attributes)) {
+            if (key in made && key !== 'style') {
+                made[key] = value;
+            } else {
+                made.setAttribute(key, value);
+            }
+        }
+        made.append(...children);
+        return made;
+    };
+
+    class Live {
+        constructor(figure) {
+            this.figure = figure;
+            this.id = figure.dataset.figure;
+            this.svg = figure.querySelector('svg');
+            this.first = { svg: this.svg, values: '' };
+            this.values = new URLSearchParams(location.search).get(this.id) ?? '';
+            this.handles = new Map();
+            this.controls = new Map();
+            this.asking = false;
+            this.waiting = null;
+        }
+
+        async begin(answer) {
+            this.answer = answer;
+            this.picture = element('div', { className: 'live-picture' });
+            this.svg.replaceWith(this.picture);
+            this.picture.append(this.svg);
+            this.panel = element('div', { className: 'live-controls' });
+            this.laws = element('table', { className: 'live-laws', hidden: true });
+            this.say = element('output', { className: 'live-say' });
+            const button = (text, title, act) => {
+                const made = element('button', { type: 'button', textContent: text, title });
+                made.addEventListener('click', act);
+                return made;
+            };
+            this.tools = element('div', { className: 'live-tools' },
+                this.say,
+                button('Reset', 'As the book shows it', () => this.reset()),
+                button('Link', 'Copy a link that shows exactly this', event => this.link(event.target)),
+                button('SVG', 'Save the picture', () => this.save()));
+            this.picture.after(this.panel, this.tools, this.laws);
+            this.figure.classList.add('live');
+            await this.draw('');
+        }
+
+        /** Asks for the picture; while one is being drawn only the newest wish is kept. */
+        async draw(drag) {
+            if (this.asking) {
+                this.waiting = drag;
+                return;
+            }
+            this.asking = true;
+            try {
+                const text = await this.answer([this.id, this.values, drag].join('\n'));
+                this.show(read(text));
+            } catch (error) {
+                this.complain(error.message);
+            }
+            this.asking = false;
+            if (this.waiting !== null) {
+                const next = this.waiting;
+                this.waiting = null;
+                requestAnimationFrame(() => this.draw(next));
+            }
+        }
+
+        show(facts) {
+            if (facts.values) {
+                this.values = facts.values[0];
+            }
+            if (facts.error) {
+                this.complain(facts.error[0]);
+                return;
+            }
+            this.complain('');
+            const made = document.createElement('template');
+            made.innerHTML = facts.svg;
+            const svg = made.content.querySelector('svg');
+            // A style sheet that comes and goes makes the browser look at the whole page again; one stays.
+            const style = svg.querySelector('style');
+            if (style) {
+                this.style ??= this.picture.appendChild(style.cloneNode(true));
+                if (style.textContent === this.style.textContent) {
+                    style.remove();
+                }
+            }
+            this.svg.replaceWith(svg);
+            this.svg = svg;
+            this.size = facts.size.map(Number);
+            this.picture.style.aspectRatio = facts.size.join(' / ');
+            facts.handle.forEach(fields => this.placeHandle(fields));
+            facts.slider.forEach(fields => this.placeControl(fields, 'any'));
+            facts.stepper.forEach(fields => this.placeControl(fields, 1));
+            this.showLaws(facts.law);
+        }
+
+        complain(message) {
+            this.figure.classList.toggle('live-wrong', message !== '');
+            if (message !== '' || this.say.dataset.wrong) {
+                this.say.textContent = message;
+            }
+            this.say.dataset.wrong = message === '' ? '' : 'yes';
+        }
+
+        placeHandle([name, index, x, y, words]) {
+            const key = name + ' ' + index;
+            let handle = this.handles.get(key);
+            if (!handle) {
+                handle = element('button', { type: 'button', className: 'live-handle' });
+                handle.dataset.key = key;
+                this.listen(handle);
+                this.handles.set(key, handle);
+                this.picture.append(handle);
+            }
+            handle.at = [Number(x), Number(y)];
+            handle.words = words;
+            handle.setAttribute('aria-label', words + ', move it with the arrow keys');
+            handle.title = words;
+            handle.style.left = 100 * handle.at[0] / this.size[0] + '%';
+            handle.style.top = 100 * handle.at[1] / this.size[1] + '%';
+            if (handle.moving || document.activeElement === handle) {
+                this.say.textContent = words;
+            }
+        }
+
+        /** Moves a handle by mouse, finger and keys. */
+        listen(handle) {
+            const go = at => {
+                const [width, height] = this.size;
+                const inside = [Math.min(Math.max(at[0], 0), width), Math.min(Math.max(at[1], 0), height)];
+                this.draw(handle.dataset.key + ' ' + inside.map(c => c.toFixed(2)).join(' '));
+            };
+            handle.addEventListener('pointerdown', event => {
+                if (event.button !== 0) {
+                    return;
+                }
+                handle.setPointerCapture(event.pointerId);
+                handle.moving = true;
+                handle.focus();
+                event.preventDefault();
+            });
+            handle.addEventListener('pointermove', event => {
+                if (handle.moving) {
+                    const box = this.picture.getBoundingClientRect();
+                    go([
+                        (event.clientX - box.left) / box.width * this.size[0],
+                        (event.clientY - box.top) / box.height * this.size[1],
+                    ]);
+                }
+            });
+            for (const end of ['pointerup', 'pointercancel']) {
+                handle.addEventListener(end, () => { handle.moving = false; });
+            }
+            handle.addEventListener('focus', () => { this.say.textContent = handle.words; });
+            handle.addEventListener('keydown', event => {
+                const step = event.shiftKey ? 20 : 4;
+                const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] }[event.key];
+                if (move) {
+                    go([handle.at[0] + move[0], handle.at[1] + move[1]]);
+                    event.preventDefault();
+                    // The book turns its pages by the arrow keys.
+                    event.stopPropagation();
+                }
+            });
+        }
+
+        placeControl([name, low, high, value, words], step) {
+            let control = this.controls.get(name);
+            if (!control) {
+                const range = step === 'any' ? (high - low) / 200 : 1;
+                const input = element('input', { type: 'range', min: low, max: high, step: range });
+                const shown = element('span', { className: 'live-value' });
+                input.addEventListener('input', () => this.set(name, input.value));
+                input.addEventListener('keydown', event => event.stopPropagation());
+                control = { input, shown };
+                const row = element('label', { className: 'live-control' }, shown, input);
+                this.panel.append(row);
+                if (step === 'any') {
+                    row.after(this.player(name, input));
+                }
+                this.controls.set(name, control);
+            }
+            control.shown.textContent = words;
+            control.input.setAttribute('aria-valuetext', words);
+            if (document.activeElement !== control.input || control.input.value === '') {
+                control.input.value = value;
+            }
+            if (control.input.playing) {
+                control.input.value = value;
+            }
+        }
+
+        /** A button that moves a slider from one end to the other. */
+        player(name, input) {
+            const button = element('button', { type: 'button', className: 'live-play', textContent: '▶', title: 'Play' });
+            button.setAttribute('aria-label', 'Play ' + name);
+            const stop = () => {
+                input.playing = false;
+                button.textContent = '▶';
+                button.title = 'Play';
+            };
+            button.addEventListener('click', () => {
+                if (input.playing) {
+                    stop();
+                    return;
+                }
+                input.playing = true;
+                button.textContent = '❚❚';
+                button.title = 'Pause';
+                const [low, high] = [Number(input.min), Number(input.max)];
+                let from = Number(input.value) >= high ? low : Number(input.value);
+                let begun = null;
+                const frame = now => {
+                    if (!input.playing) {
+                        return;
+                    }
+                    begun ??= now;
+                    const at = Math.min(high, from + (high - low) * (now - begun) / 4000);
+                    this.set(name, String(at));
+                    if (at < high) {
+                        requestAnimationFrame(frame);
+                    } else {
+                        stop();
+                    }
+                };
+                requestAnimationFrame(frame);
+            });
+            return button;
+        }
+
+        /** Another value of a slider or stepper. */
+        set(name, value) {
+            const pairs = this.values.split('&').filter(pair => pair !== '' && !pair.startsWith(name + '='));
+            this.values = [...pairs, name + '=' + value].join('&');
+            this.draw('');
+        }
+
+        showLaws(laws) {
+            this.laws.hidden = laws.length === 0;
+            const cell = (text, className = '') => element('td', { textContent: text, className });
+            this.laws.replaceChildren(...laws.map(([claim, left, right, residual, allowed, holds]) =>
+                element('tr', { className: holds },
+                    cell(claim), cell(left), cell(right),
+                    cell(residual === '' ? '' : 'apart by ' + residual), cell(holds === 'holds' ? '✓' : '✗'))));
+            if (laws.length > 0) {
+                const head = ['Law', 'left side', 'right side', 'residual', ''].map(text => element('th', { textContent: text }));
+                this.laws.prepend(element('tr', {}, ...head));
+            }
+        }
+
+        reset() {
+            this.values = '';
+            for (const { input } of this.controls.values()) {
+                input.playing = false;
+                input.value = '';
+            }
+            this.draw('');
+        }
+
+        async link(button) {
+            const url = new URL(location.href);
+            url.searchParams.set(this.id, this.values);
+            url.hash = this.figure.id;
+            history.replaceState(null, '', url);
+            try {
+                await navigator.clipboard.writeText(url.href);
+                this.say.textContent = 'The link is copied.';
+            } catch {
+                this.say.textContent = 'The link is in the address bar.';
+            }
+            button.focus();
+        }
+
+        save() {
+            const whole = this.svg.cloneNode(true);
+            if (this.style && !whole.querySelector('style')) {
+                const style = document.createElementNS('http://www.w3.org/2000/svg', 'style');
+                style.textContent = this.style.textContent;
+                whole.prepend(style);
+            }
+            const text = new XMLSerializer().serializeToString(whole);
+            const url = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
+            element('a', { href: url, download: this.id + '.svg' }).click();
+            setTimeout(() => URL.revokeObjectURL(url), 1000);
+        }
+    }
+
+    // ---- All figures of the page, each when it comes into view ----
+
+    const observer = new IntersectionObserver(entries => {
+        for (const entry of entries.filter(entry => entry.isIntersecting)) {
+            observer.unobserve(entry.target);
+            ask().then(
+                answer => {
+                    const live = new Live(entry.target);
+                    alive.set(live.id, live);
+                    return live.begin(answer);
+                },
+                // Without an answer the picture stays what it is: a picture.
+                () => document.documentElement.classList.add('still'));
+        }
+    }, { rootMargin: '600px' });
+    figures.forEach(figure => observer.observe(figure));
+})();
