@@ -1,6 +1,7 @@
 //! The exercises: their schema, and what checking an answer says.
 
 mod compute;
+mod grading;
 mod pack;
 mod reader;
 mod sabotage;
