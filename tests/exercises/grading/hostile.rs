@@ -58,7 +58,7 @@ fn no_trick_passes_and_no_neighbour_is_harmed() {
     let could_not_read: Expected = |grade| compiler_says(grade, "couldn't read");
     let forbidden: Expected = |grade| compiler_says(grade, "is not allowed in an answer");
     let endless: Expected = |grade| compiler_says(grade, "is taking a long time");
-    let lint: Expected = |grade| compiler_says(grade, "warn(long_running_const_eval)");
+    let lint: Expected = |grade| compiler_says(grade, "incompatible with previous forbid");
     let hostile: Vec<(&str, String, Expected)> = vec![
         ("exit", body("let _ = (b, t); std::process::exit(0) }"), failed),
         (
