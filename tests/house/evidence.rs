@@ -133,7 +133,7 @@ fn all_kinds_of_evidence_are_found_with_their_lines() {
         ("property", vec!["tests/property/bezier/shape.rs:3"]),
         ("exact", vec!["tests/exact/bezier/shape.rs:2"]),
         ("figure", vec!["tests/figures/bezier/shape.rs:2"]),
-        ("interactive", vec!["tests/figures/bezier/shape.rs:2"]),
+        ("interactive", vec![]),
         ("exercise", vec![]),
         ("proof", vec!["book/src/bezier/shape.md:16"]),
         ("compile_fail", vec!["book/src/bezier/shape.md:10"]),
@@ -364,4 +364,25 @@ fn an_explanation_alone_trains_nobody() {
         ("book/exercises/bezier/inside/exercise.md", &explain),
     ]);
     assert_eq!(missing(explained.path()), ["exercise"]);
+}
+
+#[test]
+fn a_figure_that_the_reader_can_change_is_interactive_as_well() {
+    // A figure of the library, since only those can be changed.
+    let page = PAGE.replace(
+        "{{#figure bezier-convex-hull}}",
+        "{{#figure bezier-figure-convex-hull}}",
+    );
+    let test = FIGURE_TEST.replace("convex_hull()", "figure_convex_hull()");
+    let catalogue = CATALOGUE.replace("\"figure\",", "\"figure\", \"interactive\",");
+    let house = house(&[
+        ("book/src/bezier/shape.md", &page),
+        ("book/statements/bezier.toml", &catalogue),
+        ("tests/figures/bezier/shape.rs", &test),
+        (
+            "snapshots/bezier/bezier-figure-convex-hull.snap.svg",
+            "<svg/>",
+        ),
+    ]);
+    assert_eq!(missing(house.path()), [""; 0]);
 }

@@ -98,8 +98,14 @@ fn compiler(root: &Path) -> Result<Compiler, CheckingError> {
             })?;
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     };
-    let version = ask(&["-vV"])?;
-    let sysroot = PathBuf::from(ask(&["--print", "sysroot"])?.trim());
+    // Each question starts the compiler anew, so both are asked at once.
+    let (version, sysroot) = std::thread::scope(|scope| {
+        let version = scope.spawn(|| ask(&["-vV"]));
+        let sysroot = ask(&["--print", "sysroot"]);
+        let version = version.join().unwrap_or_else(|_| ask(&["-vV"]));
+        (version, sysroot)
+    });
+    let (version, sysroot) = (version?, PathBuf::from(sysroot?.trim()));
     // Behind the name may stand a chooser of toolchains, which a sandbox does not have.
     let inside = sysroot.join("bin/rustc");
     let path = if inside.is_file() {
@@ -118,7 +124,7 @@ fn compiler(root: &Path) -> Result<Compiler, CheckingError> {
 fn fingerprint(root: &Path, compiler: &str) -> Result<String, CheckingError> {
     let mut files = vec![root.join("Cargo.toml"), root.join("Cargo.lock")];
     // What an answer is compiled against; the book, the figures and the command line are behind features.
-    let elsewhere = ["book", "workbook", "figure", "gallery.rs", "bin"];
+    let elsewhere = ["book", "workbook", "figure", "gallery.rs", "live", "bin"];
     let mut folders = vec![root.join("src")];
     while let Some(folder) = folders.pop() {
         let entries = fs::read_dir(&folder).map_err(|e| CheckingError::file(&folder, &e))?;
