@@ -133,7 +133,7 @@ pub(crate) enum Failure {
     #[cfg(unix)]
     #[error(transparent)]
     Checking(#[from] checking::CheckingError),
-    #[error("there is no exercise `{name}`{}\nnext step: `cargo run -- verify` lists all of them", did_you_mean(similar.as_deref()))]
+    #[error("there is no exercise `{name}`{}\nnext step: `cargo run -- list` shows all of them", did_you_mean(similar.as_deref()))]
     NoExercise {
         name: String,
         similar: Option<String>,

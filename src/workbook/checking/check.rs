@@ -7,7 +7,7 @@ use super::CheckingError;
 use super::compile::{Program, Source, compile_answer, compile_tests};
 use super::library::Library;
 use super::misconception;
-use super::trial::{Results, run_probes, run_tests};
+use super::trial::{AfterTooLong, Results, run_probes, run_tests};
 use super::verdict::{Diagnostic, Outcome, TestOutcome, Verdict};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::sandbox::{Isolation, Limits};
@@ -101,7 +101,7 @@ impl Checker {
         )
     }
 
-    /// Runs all tests of a compiled program.
+    /// Runs the tests of a compiled program, until one takes too long.
     ///
     /// # Errors
     ///
@@ -118,7 +118,14 @@ impl Checker {
             .iter()
             .map(|test| test.name.as_str())
             .collect();
-        run_tests(program, &names, seed, &self.limits, self.isolation)
+        run_tests(
+            program,
+            &names,
+            seed,
+            &self.limits,
+            self.isolation,
+            AfterTooLong::Stop,
+        )
     }
 
     /// What an answer does on the probe inputs; `None` if it does not compile or ends the program.
@@ -175,6 +182,10 @@ impl Checker {
         let is_passed = |test: &super::verdict::TestResult| test.outcome == TestOutcome::Passed;
         if results.tests.iter().all(is_passed) {
             return Ok(verdict(Outcome::Passed, warnings, results, None));
+        }
+        // A loop that never ends would take as long once more on the probe inputs.
+        if results.took_too_long {
+            return Ok(verdict(Outcome::Failed, warnings, results, None));
         }
         let misconception = match run_probes(&program, &self.limits, self.isolation)? {
             Some(found) => misconception::recognise(self, exercise, tested, &found)?,

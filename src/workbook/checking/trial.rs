@@ -13,7 +13,7 @@ use super::verdict::{PictureStroke, TestOutcome, TestResult};
 use crate::check::harness::PROBES;
 use crate::check::report::{Failure, Message};
 use crate::check::{Picture, Role};
-use crate::workbook::sandbox::{self, Isolation, Job, Limits, Run};
+use crate::workbook::sandbox::{self, Ending, Isolation, Job, Limits, Run};
 
 /// What the tests of one program gave.
 #[derive(Debug, Clone, Default)]
@@ -22,6 +22,17 @@ pub struct Results {
     pub tests: Vec<TestResult>,
     /// What the answer printed.
     pub output: String,
+    /// Whether the limit of time ended a run.
+    pub took_too_long: bool,
+}
+
+/// What happens to the other tests once one has run into the limit of time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AfterTooLong {
+    /// They are not run: a reader waits, and the loop that never ends has to go first.
+    Stop,
+    /// They run without it: an assertion of theirs may still reject the answer.
+    RunTheOthers,
 }
 
 /// How often a program that ended early is started anew for the tests that have no result yet.
@@ -33,6 +44,7 @@ const CHANNEL_LIMIT: u64 = 4 << 20;
 /// Runs these tests; each has a result in the end.
 ///
 /// A test that ends the program, or that a limit ends, has failed; the others run again without it.
+/// Whether they do so after the limit of time, `after_too_long` says.
 ///
 /// # Errors
 ///
@@ -43,9 +55,12 @@ pub fn run_tests(
     seed: u64,
     limits: &Limits,
     isolation: Isolation,
+    after_too_long: AfterTooLong,
 ) -> Result<Results, CheckingError> {
     let mut results: Vec<TestResult> = Vec::new();
     let mut output = String::new();
+    let mut took_too_long = false;
+    let mut why_not_run = "the program ended before this test had a result";
     for _ in 0..RESTARTS {
         let open: Vec<&str> = tests
             .iter()
@@ -58,6 +73,7 @@ pub fn run_tests(
         let (messages, run) = run_once(program, &open, seed, limits, isolation)?;
         output.push_str(&String::from_utf8_lossy(&run.stdout));
         output.push_str(&String::from_utf8_lossy(&run.stderr));
+        took_too_long |= run.ending == Ending::TooLong;
         let mut begun = None;
         for message in messages {
             match message {
@@ -76,23 +92,33 @@ pub fn run_tests(
         }
         match begun {
             Some(test) => {
-                let message = format!("the program {}", run.ending);
+                let message = match run.ending {
+                    // The reader's next step is to look for what does not end.
+                    Ending::TooLong => format!(
+                        "the program took longer than {} s; look for a loop or a recursion without end",
+                        limits.time.as_secs()
+                    ),
+                    ending => format!("the program {ending}"),
+                };
                 results.push(result(test, TestOutcome::Ended, message));
             }
             // It ended between two tests, or before the first one: another start would do the same.
             None => break,
         }
+        if took_too_long && after_too_long == AfterTooLong::Stop {
+            why_not_run = "an earlier test took too long";
+            break;
+        }
     }
     let tests = tests.iter().map(|&test| {
         let known = results.iter().find(|result| result.test == test).cloned();
-        known.unwrap_or_else(|| {
-            let message = "the program ended before this test had a result";
-            result(test.to_owned(), TestOutcome::NotRun, message.to_owned())
-        })
+        known
+            .unwrap_or_else(|| result(test.to_owned(), TestOutcome::NotRun, why_not_run.to_owned()))
     });
     Ok(Results {
         tests: tests.collect(),
         output,
+        took_too_long,
     })
 }
 

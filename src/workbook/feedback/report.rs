@@ -140,15 +140,21 @@ fn failed(verdict: &Verdict, picture: Option<&str>, text: &mut String) {
         text.push('\n');
         text.push_str(&wrapped(&sentence, &paint(ATTENTION, "» "), "  "));
     }
-    let others: Vec<String> = verdict
+    let (not_reached, wrong): (Vec<&TestResult>, Vec<&TestResult>) = verdict
         .tests
         .iter()
         .filter(|test| test.outcome != TestOutcome::Passed && test.test != first.test)
-        .map(|test| words(&test.test))
-        .collect();
-    if !others.is_empty() {
+        .partition(|test| test.outcome == TestOutcome::NotRun);
+    for (what, others) in [
+        ("Not yet right either", wrong),
+        ("Not reached", not_reached),
+    ] {
+        if others.is_empty() {
+            continue;
+        }
+        let names: Vec<String> = others.iter().map(|test| words(&test.test)).collect();
+        let line = format!("{what}: {}.", names.join(", "));
         text.push('\n');
-        let line = format!("Not yet right either: {}.", others.join(", "));
         text.push_str(&paint(FAINT, wrapped(&line, "", "").trim_end()));
         text.push('\n');
     }

@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::candidate::{Candidate, Role};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::compile::{Source, compile_answer, compile_tests};
-use crate::workbook::checking::trial::{run_probes, run_tests};
+use crate::workbook::checking::trial::{AfterTooLong, run_probes, run_tests};
 use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 use crate::workbook::checking::{Checker, CheckingError};
 
@@ -131,7 +131,16 @@ fn try_out(
     };
     trial.compilation = Compilation::Compiled(warnings);
     let names: Vec<&str> = tested.tests.tests.iter().map(|t| t.name.as_str()).collect();
-    let run = |seed| run_tests(&program, &names, seed, checker.limits(), isolation);
+    let run = |seed| {
+        run_tests(
+            &program,
+            &names,
+            seed,
+            checker.limits(),
+            isolation,
+            AfterTooLong::RunTheOthers,
+        )
+    };
     trial.results = run(SEED)?.tests;
     trial.probes = run_probes(&program, checker.limits(), isolation)?;
     if trial.candidate.role == Role::Solution && first_failure(&trial.results).is_none() {

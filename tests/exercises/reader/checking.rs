@@ -5,6 +5,9 @@ use std::process::Stdio;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
+use cagd::workbook::sandbox::Limits;
+use serde_json::Value;
+
 use super::{NAME, Reader, Run, sources};
 
 /// A pack with an explanation and nothing else.
@@ -143,6 +146,30 @@ fn a_panic_of_the_answer_is_told_with_its_line() {
         "the index is 3 (line {} of your answer)",
         line + 1
     ));
+}
+
+#[test]
+fn a_loop_without_end_costs_one_limit_of_time() {
+    let reader = Reader::begun();
+    let starter = sources().answer.starter;
+    let endless = starter.replace("let _ = t;", "let _ = t; if b.len() == 3 { loop {} }");
+    assert_ne!(endless, starter);
+    reader.write(&endless);
+    let verdict = reader.json(&["check"]);
+    let outcomes: Vec<&Value> = verdict["tests"]
+        .as_array()
+        .expect("an array")
+        .iter()
+        .map(|test| &test["outcome"])
+        .collect();
+    // A second run, of the other tests or on the probe inputs, would make `ended` of the second test or double the time.
+    assert_eq!(outcomes, ["ended", "not_run", "not_run"]);
+    let seconds = verdict["seconds"].as_f64().expect("a number");
+    let limit = Limits::answer().time.as_secs_f64();
+    assert!(seconds < 1.9 * limit, "{seconds} s");
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says("a loop or a recursion");
+    run.assert_says("Not reached: both ends, everywhere.");
 }
 
 #[test]
