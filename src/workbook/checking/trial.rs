@@ -38,6 +38,9 @@ pub enum AfterTooLong {
 /// How often a program that ended early is started anew for the tests that have no result yet.
 const RESTARTS: usize = 3;
 
+/// The signal of a program that has used up its stack.
+const SEGMENTATION_FAULT: i32 = 11;
+
 /// How many bytes of the channel are read from one run; a picture has a few kilobytes.
 const CHANNEL_LIMIT: u64 = 4 << 20;
 
@@ -97,6 +100,10 @@ pub fn run_tests(
                     Ending::TooLong => format!(
                         "the program took longer than {} s; look for a loop or a recursion without end",
                         limits.time.as_secs()
+                    ),
+                    Ending::Signalled(SEGMENTATION_FAULT) => format!(
+                        "the program {}; in safe Rust that is nearly always a recursion without end",
+                        run.ending
                     ),
                     ending => format!("the program {ending}"),
                 };

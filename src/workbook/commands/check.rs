@@ -62,7 +62,12 @@ impl Check {
         if self.json {
             print_json(&verdict)?;
         } else {
-            print(&feedback(&desk, exercise, &verdict)?)?;
+            print(&feedback(
+                &desk,
+                exercise,
+                &verdict,
+                &format!(", then {}", command("check")),
+            )?)?;
         }
         Ok(if verdict.passed() {
             Outcome::Fine
@@ -112,10 +117,13 @@ pub(super) fn check(
 }
 
 /// All that the reader is told about a verdict.
+///
+/// `afterwards` says how a mended answer is checked.
 pub(super) fn feedback(
     desk: &Desk,
     exercise: &Exercise,
     verdict: &Verdict,
+    afterwards: &str,
 ) -> Result<String, CommandError> {
     let progress = desk.progress()?;
     let strokes = verdict
@@ -140,9 +148,8 @@ pub(super) fn feedback(
     }
     let file = shown(&desk.answers.file(exercise));
     text.push_str(&format!(
-        "\nnext step: mend {}, then {}\n",
+        "\nnext step: mend {}{afterwards}\n",
         paint(CODE, file.display()),
-        command("check")
     ));
     let left = exercise.document.hints.len().saturating_sub(entry.hints);
     if left > 0 {

@@ -165,6 +165,15 @@ impl Desk {
     }
 }
 
+/// The arguments of the next command, such as `hint`: with the name where without it another exercise would be meant.
+pub fn about(command: &str, exercise: &Exercise, progress: &Progress) -> String {
+    if progress.begun_last.as_ref() == Some(&exercise.name) {
+        command.to_owned()
+    } else {
+        format!("{command} {}", exercise.name)
+    }
+}
+
 fn tell(notice: Option<String>) {
     if let Some(notice) = notice {
         anstream::eprintln!("{notice}\n");

@@ -120,7 +120,11 @@ impl Grade {
     }
 }
 
-fn to_file(file: &Path, write: impl FnOnce(File) -> std::io::Result<()>) -> Result<(), GradeError> {
+/// Writes a file that was asked for.
+pub(super) fn to_file(
+    file: &Path,
+    write: impl FnOnce(File) -> std::io::Result<()>,
+) -> Result<(), GradeError> {
     File::create(file)
         .and_then(write)
         .map_err(|e| GradeError::Output {

@@ -3,6 +3,7 @@
 use clap::Args;
 use serde::Serialize;
 
+use super::desk::about;
 use super::{CommandError, Place, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
@@ -87,7 +88,7 @@ impl Hint {
             }
             _ => ("This was the last hint.", "check"),
         };
-        let sentence = format!("{sentence} {}", command(next));
+        let sentence = format!("{sentence} {}", command(&about(next, exercise, &progress)));
         text.push_str(&wrapped(&sentence, "", ""));
         print(&text)?;
         Ok(Outcome::Fine)

@@ -8,6 +8,7 @@ use super::start::begin;
 use super::{CommandError, Place, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, paint};
+use crate::workbook::feedback::report::command;
 use crate::workbook::progress::Entry;
 
 /// The arguments of `reset`.
@@ -56,9 +57,10 @@ impl Reset {
             })?;
         } else {
             print(&format!(
-                "Your answer is kept as {}.\n{} holds the starter again.\n",
+                "Your answer is kept as {}.\n{} holds the starter again.\n\nnext step: {}\n",
                 paint(CODE, backup),
-                paint(CODE, file)
+                paint(CODE, file),
+                command(&format!("check {}", exercise.name))
             ))?;
         }
         Ok(Outcome::Fine)

@@ -3,6 +3,7 @@
 use clap::Args;
 use serde::Serialize;
 
+use super::desk::about;
 use super::{CommandError, Place, print, print_json};
 use crate::book::exercise::Exercise;
 use crate::tableaux;
@@ -58,10 +59,11 @@ impl Solution {
         let name = &exercise.name;
         if !may_see {
             let left = exercise.document.hints.len().saturating_sub(hints_seen);
+            let hint = command(&about("hint", exercise, &progress));
             let hints = match left {
                 0 => String::new(),
-                1 => format!("One hint is left: {}. ", command("hint")),
-                _ => format!("{left} hints are left: {}. ", command("hint")),
+                1 => format!("One hint is left: {hint}. "),
+                _ => format!("{left} hints are left: {hint}. "),
             };
             let sentence = format!(
                 "You have not solved “{}” yet. {hints}If you want to see the solution all the same, ask once more: {}",

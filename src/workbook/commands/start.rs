@@ -189,7 +189,7 @@ fn task(desk: &Desk, exercise: &Exercise) -> String {
     format!(
         "{}\n{}\n\n{}",
         paint(STRONG, &front.title),
-        paint(FAINT, facts),
+        paint(FAINT, wrapped(&facts, "", "").trim_end()),
         markdown::rendered(&exercise.document.task.text, &desk.catalogue)
     )
 }

@@ -1,12 +1,12 @@
 //! `cargo run -- verify`: the instructor's proof that exercises are sound.
 
-use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::grade::to_file;
 use crate::book::catalogue::Catalogue;
 use crate::book::exercise::{Exercise, Exercises};
 use crate::workbook::checking::Checker;
@@ -62,13 +62,10 @@ impl Verify {
         bar.finish_and_clear();
 
         if let Some(file) = &self.junit {
-            let write = || -> Result<(), Failure> {
-                let xml = junit::xml(&verified);
-                let file = File::create(file)?;
-                xml.serialize(file).map_err(std::io::Error::other)?;
-                Ok(())
-            };
-            write()?;
+            let xml = junit::xml(&verified);
+            to_file(file, |out| {
+                xml.serialize(out).map_err(std::io::Error::other)
+            })?;
         }
         if self.json {
             let reports: Vec<&Report> = verified.iter().map(|v| &v.report).collect();
@@ -121,9 +118,13 @@ pub(super) fn require_names(names: &[String], exercises: &Exercises) -> Result<(
     for name in names {
         let one = std::slice::from_ref(name);
         if !exercises.iter().any(|exercise| is_named(one, exercise)) {
+            let of_this_name = exercises.iter().find(|e| e.name.name() == name);
             return Err(Failure::NoExercise {
                 name: name.clone(),
-                similar: exercises.similar(name),
+                similar: match of_this_name {
+                    Some(exercise) => Some(exercise.name.to_string()),
+                    None => exercises.similar(name),
+                },
             });
         }
     }

@@ -107,7 +107,7 @@ impl Watch {
         print(&format!(
             "{}\n{}\n{} {} {}\n",
             paint(FAINT, rule),
-            feedback(desk, exercise, &verdict)?.trim_end(),
+            feedback(desk, exercise, &verdict, " and save it")?.trim_end(),
             paint(FAINT, "Waiting until"),
             paint(CODE, file.display()),
             paint(FAINT, "is saved; Ctrl-C stops."),

@@ -117,7 +117,7 @@ fn matrix(f: &mut fmt::Formatter<'_>, verified: &Verified) -> fmt::Result {
     }
     writeln!(
         f,
-        "    {FAINT}✗ rejects  · passes  ! panics  … ends the program or runs too long  ? not reached{FAINT:#}"
+        "    {FAINT}✗ rejects  · passes  ! panics  … ends or runs too long  ? not reached{FAINT:#}"
     )?;
     news(f, report, verified.before.as_ref())
 }

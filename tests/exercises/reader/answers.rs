@@ -27,7 +27,8 @@ fn reset_keeps_every_answer() {
     let reader = Reader::begun();
     for text in ["// first\n", "// second\n"] {
         reader.write(text);
-        reader.run(&["reset", NAME]).assert_status(0);
+        let run = reader.run(&["reset", NAME]);
+        run.assert_status(0).assert_says("next step");
         assert_eq!(
             reader.read("bezier/parabola-point.rs"),
             sources().answer.starter

@@ -79,7 +79,12 @@ fn a_new_reader_comes_from_the_list_to_a_solved_exercise() {
     run.assert_status(0);
     run.assert_says("Right. All 3 tests passed: half way, both ends, everywhere.");
     assert_eq!(reader.item()["state"], "solved");
-    assert_ne!(reader.json(&["next"])["exercise"], NAME);
+    let next = reader.json(&["next"])["exercise"].to_string();
+    assert_ne!(next, format!("\"{NAME}\""));
+    assert!(
+        next.starts_with("\"bezier/"),
+        "{next} leads away from the chapter"
+    );
 }
 
 #[test]
@@ -173,6 +178,21 @@ fn a_loop_without_end_costs_one_limit_of_time() {
 }
 
 #[test]
+fn a_recursion_without_end_is_told_as_such() {
+    let reader = Reader::begun();
+    let starter = sources().answer.starter;
+    let endless = starter.replace(
+        "b[0].clone()\n",
+        "point(b, t.clone()) + (b[1].clone() - b[0].clone())\n",
+    );
+    let endless = endless.replace("let _ = t;", "");
+    assert_ne!(endless, starter);
+    reader.write(&endless);
+    let run = reader.run(&["check"]);
+    run.assert_status(1).assert_says("a recursion without end");
+}
+
+#[test]
 fn errors_of_the_compiler_point_into_the_readers_file() {
     let reader = Reader::begun();
     let starter = sources().answer.starter;
@@ -218,6 +238,13 @@ fn hints_come_one_at_a_time() {
     assert_eq!(seen(&["hint"]), (Some(3), 1));
     reader.run(&["hint"]).assert_says("These were all");
     assert_eq!(reader.item()["hints_shown"], 3);
+    // Without its name the next hint would be about the exercise begun last.
+    reader
+        .run(&["hint", "bezier/de-casteljau"])
+        .assert_says("cargo run -- hint bezier/de-casteljau");
+    reader
+        .run(&["solution", "bezier/de-casteljau"])
+        .assert_says("cargo run -- hint bezier/de-casteljau");
 }
 
 #[test]
