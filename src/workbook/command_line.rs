@@ -284,8 +284,8 @@ fn build(
     let more = match script {
         Ok(script) => vec![(live_figures::SCRIPT, script)],
         // The site is whole without it: its figures are pictures.
-        Err(LiveFiguresError::NoTarget) if wasm.is_none() => {
-            eprintln!("{}", LiveFiguresError::NoTarget);
+        Err(error) if wasm.is_none() => {
+            eprintln!("{error}");
             Vec::new()
         }
         Err(error) => return Err(error.into()),
