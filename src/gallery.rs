@@ -5,10 +5,14 @@ use crate::figure::Figure;
 /// All figures, chapter by chapter.
 #[must_use]
 pub fn all() -> Vec<Figure> {
-    [crate::affine::figures::all(), crate::bezier::figures::all()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        crate::affine::figures::all(),
+        crate::bezier::figures::all(),
+        crate::subdivision::figures::all(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The figure with this id.

@@ -9,6 +9,8 @@
 //! | [`affine`] | points, vectors, affine combinations and maps, intervals, convex hulls |
 //! | [`curves`] | what holds for any parametric curve: curvature, arc length, sampling |
 //! | [`bezier`] | Bézier curves: de Casteljau, Bernstein polynomials, blossoms, subdivision, bounds |
+//! | [`bspline`] | uniform B-splines, as far as subdivision needs them |
+//! | [`subdivision`] | curves and surfaces as limits of refined polygons and meshes |
 //! | [`check`] | what the tests of an exercise are written with |
 //! | [`tableaux`] | every tableau that deals fresh numbers for computing by hand |
 //! | `figure` | canvas, style, handles and sliders: what every figure is drawn with (feature `figures`) |
@@ -25,6 +27,8 @@ pub mod affine;
 pub mod curves;
 
 pub mod bezier;
+pub mod bspline;
+pub mod subdivision;
 
 pub mod check;
 pub mod tableaux;

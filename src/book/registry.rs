@@ -34,12 +34,14 @@ pub struct Registry {
 impl Registry {
     /// The figures and computed texts of all chapters.
     pub fn of_all_chapters() -> Self {
-        use crate::{affine, bezier};
+        use crate::{affine, bezier, subdivision};
         Self::default()
             .with_figures(affine::figures::all())
             .with_all_computed("affine", affine::computed::all())
             .with_figures(bezier::figures::all())
             .with_all_computed("bezier", bezier::computed::all())
+            .with_figures(subdivision::figures::all())
+            .with_all_computed("subdivision", subdivision::computed::all())
     }
 
     /// Adds the figures of a chapter.

@@ -6,3 +6,4 @@ mod support;
 mod affine;
 mod bezier;
 mod inputs;
+mod subdivision;

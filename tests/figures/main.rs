@@ -18,4 +18,5 @@ mod interface;
 #[cfg(feature = "book")]
 #[path = "../support/listed.rs"]
 mod listed;
+mod subdivision;
 mod support;

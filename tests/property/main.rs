@@ -7,3 +7,4 @@ mod affine;
 mod bezier;
 mod curves;
 mod generators;
+mod subdivision;

@@ -2,3 +2,4 @@
 
 pub mod affine;
 pub mod bezier;
+pub mod subdivision;

@@ -1,0 +1,1 @@
+//! B-splines: piecewise polynomials over a knot vector.

@@ -1,0 +1,3 @@
+//! One law per theorem, lemma, algorithm and example of the chapter that claims something, in the sections of its text.
+//!
+//! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).

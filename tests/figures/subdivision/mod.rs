@@ -1,0 +1,1 @@
+//! The figures of the chapter on subdivision, one module per section.

@@ -1,0 +1,1 @@
+//! The laws of the chapter on subdivision, in its sections.

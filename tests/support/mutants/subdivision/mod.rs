@@ -1,0 +1,1 @@
+//! Wrong subdivision, in the sections of the chapter.
