@@ -1,6 +1,10 @@
 //! Subdivision: curves and surfaces as limits of refined polygons and meshes.
 //!
-//! The theorems are in [`laws`].
+//! - [`cosine`] — the irrational weights of schemes;
+//!
+//! the theorems are in [`laws`].
+
+pub mod cosine;
 
 pub mod laws;
 
@@ -9,3 +13,5 @@ pub mod figures;
 
 #[cfg(feature = "book")]
 pub mod computed;
+
+pub use cosine::{CosineError, CosineOfTurn};
