@@ -1,10 +1,12 @@
 //! Subdivision: curves and surfaces as limits of refined polygons and meshes.
 //!
-//! - [`cosine`] — the irrational weights of schemes;
+//! - [`cosine`] — the irrational weights of schemes,
+//! - [`polygon`] — open and closed polygons, doubling and averaging;
 //!
 //! the theorems are in [`laws`].
 
 pub mod cosine;
+pub mod polygon;
 
 pub mod laws;
 
@@ -15,3 +17,4 @@ pub mod figures;
 pub mod computed;
 
 pub use cosine::{CosineError, CosineOfTurn};
+pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
