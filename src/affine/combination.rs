@@ -167,7 +167,7 @@ pub(super) fn weight_sum<P: Affine>(terms: &[(P::Scalar, P)]) -> P::Scalar {
 }
 
 /// Whether weights sum to `target`: exactly, or as far as the rounding of n weights and of their sum can tell.
-pub(super) fn sums_to<'a, T: Scalar>(weights: impl Iterator<Item = &'a T>, target: T) -> bool {
+pub(crate) fn sums_to<'a, T: Scalar>(weights: impl Iterator<Item = &'a T>, target: T) -> bool {
     let (mut sum, mut magnitude, mut count) = (T::zero(), 0.0, 0);
     for weight in weights {
         sum += weight.clone();

@@ -45,6 +45,7 @@ pub mod computed;
 pub use barycentre::barycentre;
 pub use barycentric::{AffineBasis, AffineBasisError};
 pub use bounding_box::{BoundingBox, BoundingBoxError};
+pub(crate) use combination::sums_to;
 pub use combination::{Affine, CombinationError, Linear};
 pub use combination_kind::CombinationKind;
 pub use frame::Frame;

@@ -1,11 +1,14 @@
 //! Subdivision: curves and surfaces as limits of refined polygons and meshes.
 //!
-//! - [`cosine`] — the irrational weights of schemes,
-//! - [`polygon`] — open and closed polygons, doubling and averaging;
+//! - [`polygon`] — open and closed polygons, doubling and averaging,
+//! - [`laurent`], [`mask`] — schemes for curves, and their algebra,
+//! - [`cosine`] — the irrational weights of schemes;
 //!
 //! the theorems are in [`laws`].
 
 pub mod cosine;
+pub mod laurent;
+pub mod mask;
 pub mod polygon;
 
 pub mod laws;
@@ -17,4 +20,6 @@ pub mod figures;
 pub mod computed;
 
 pub use cosine::{CosineError, CosineOfTurn};
+pub use laurent::LaurentPolynomial;
+pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
