@@ -11,7 +11,15 @@ pub mod laurent;
 pub mod mask;
 pub mod polygon;
 
+mod mesh;
+mod scheme;
+
 pub mod laws;
+
+pub use mesh::{
+    EdgeId, FaceId, HalfEdgeId, HalfEdgeMesh, Mesh, MeshError, VertexId, VertexRing, solids,
+};
+pub use scheme::{SchemeError, SurfaceScheme};
 
 #[cfg(feature = "figures")]
 pub mod figures;
