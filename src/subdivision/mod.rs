@@ -2,12 +2,17 @@
 //!
 //! - [`polygon`] — open and closed polygons, doubling and averaging,
 //! - [`laurent`], [`mask`] — schemes for curves, and their algebra,
-//! - [`cosine`] — the irrational weights of schemes;
+//! - [`cosine`] — the irrational weights of schemes,
+//! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
 //!
 //! the theorems are in [`laws`].
 
+pub mod box_spline;
+pub mod butterfly;
 pub mod cosine;
+pub mod lattice_mask;
 pub mod laurent;
+pub mod loop_scheme;
 pub mod mask;
 pub mod polygon;
 
@@ -27,7 +32,16 @@ pub mod figures;
 #[cfg(feature = "book")]
 pub mod computed;
 
+pub use box_spline::box_spline_222;
+pub use butterfly::{
+    butterfly_centre_weight, butterfly_cosine_formula, butterfly_star_weights, butterfly_weights,
+};
 pub use cosine::{CosineError, CosineOfTurn};
+pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;
+pub use loop_scheme::{
+    loop_beta, loop_boundary_weights, loop_edge_weights, loop_lattice_mask, loop_limit_weight,
+    loop_subdominant_eigenvalue,
+};
 pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};

@@ -1,3 +1,7 @@
 //! One law per theorem, lemma, algorithm and example of the chapter that claims something, in the sections of its text.
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
+
+mod loop_scheme;
+
+pub use loop_scheme::*;

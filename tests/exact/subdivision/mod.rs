@@ -1,1 +1,3 @@
 //! The laws of the chapter on subdivision, in its sections.
+
+mod loop_scheme;

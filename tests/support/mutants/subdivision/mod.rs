@@ -1,1 +1,3 @@
 //! Wrong subdivision, in the sections of the chapter.
+
+pub mod loop_scheme;
