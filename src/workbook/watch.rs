@@ -17,7 +17,7 @@ use notify_debouncer_full::{DebounceEventResult, new_debouncer};
 use thiserror::Error;
 use tokio::sync::watch;
 
-use super::server::{self, ServerError, State};
+use super::server::{self, Book, ServerError, State, Token, token};
 use crate::book;
 
 /// How long the sources must be quiet before a change is acted on.
@@ -60,9 +60,16 @@ pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
     // The port is taken before the build, so that a port in use is told at once; early visitors wait in its queue.
     let listener = runtime.block_on(server::listen(port))?;
     let address = listener.local_addr().map_err(ServerError::from)?;
+    let token = Token::for_this_start()?;
+    let link = format!("http://{address}/?token={}", token.text());
 
-    let (workshop, state) = Workshop::open(root, address.port());
-    let folder = workshop.out.clone();
+    let (workshop, state) = Workshop::open(root, address.port(), token.clone());
+    let served = Book {
+        root: root.to_path_buf(),
+        folder: workshop.out.clone(),
+        state,
+        token,
+    };
     let (sender, changes) = mpsc::channel();
     let mut debouncer = new_debouncer(QUIET, None, move |result: DebounceEventResult| {
         // The receiver is gone only when the process ends.
@@ -78,8 +85,11 @@ pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
 
     let mut workshop = workshop;
     workshop.build_book();
-    println!("The book is at http://{address}/ and follows your edits; Ctrl-C stops it.");
-    if open && webbrowser::open(&format!("http://{address}/")).is_err() {
+    println!("The book is open, and follows your edits, at\n\n    {link}\n");
+    println!(
+        "Whoever has this link may run code here; without `?token=…` the book can be read. Ctrl-C stops it."
+    );
+    if open && webbrowser::open(&link).is_err() {
         eprintln!("No browser could be opened; visit the address above.");
     }
     std::thread::spawn(move || {
@@ -87,7 +97,7 @@ pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
             workshop.follow(result);
         }
     });
-    runtime.block_on(server::serve(listener, folder, state))?;
+    runtime.block_on(server::serve(listener, served, server::ctrl_c()))?;
     println!("Stopped.");
     Ok(())
 }
@@ -97,6 +107,7 @@ struct Workshop {
     root: PathBuf,
     out: PathBuf,
     port: u16,
+    token: Token,
     /// The program as it was started; the path stays right when Cargo replaces the file.
     program: Option<PathBuf>,
     /// Differs between runs of the server, so that a page notices a restart.
@@ -109,13 +120,14 @@ struct Workshop {
 }
 
 impl Workshop {
-    fn open(root: &Path, port: u16) -> (Self, watch::Receiver<State>) {
+    fn open(root: &Path, port: u16, token: Token) -> (Self, watch::Receiver<State>) {
         let started = SystemTime::now().duration_since(UNIX_EPOCH);
         let (sender, receiver) = watch::channel(State::default());
         let workshop = Self {
             root: root.to_path_buf(),
             out: root.join("target/served-book"),
             port,
+            token,
             program: std::env::current_exe().ok(),
             run: started.map_or(0, |time| time.as_millis()),
             builds: 0,
@@ -238,7 +250,7 @@ impl Workshop {
             Ok(()) => {
                 self.program_error = None;
                 let port = OsString::from(self.port.to_string());
-                let reason = become_program(&program, &["--port".into(), port]);
+                let reason = become_program(&program, &["--port".into(), port], &self.token);
                 eprintln!("{reason}; stop this program and run `cargo run` again.");
                 true
             }
@@ -297,6 +309,8 @@ fn compile(root: &Path, program: &Path) -> Result<(), String> {
         ])
         .args(["--profile", profile])
         .current_dir(root)
+        // Build scripts of other people's crates have no use for it.
+        .env_remove(token::VARIABLE)
         .output()
         .map_err(|error| format!("cargo cannot be started: {error}"))?;
     if output.status.success() {
@@ -308,15 +322,19 @@ fn compile(root: &Path, program: &Path) -> Result<(), String> {
 
 /// Replaces this process by the program; returns only if that is not possible.
 #[cfg(unix)]
-fn become_program(program: &Path, arguments: &[OsString]) -> String {
+fn become_program(program: &Path, arguments: &[OsString], token: &Token) -> String {
     use std::os::unix::process::CommandExt;
-    let error = Command::new(program).args(arguments).exec();
+    let error = Command::new(program)
+        .args(arguments)
+        // The open pages go on working.
+        .env(token::VARIABLE, token.text())
+        .exec();
     format!("the new program cannot be started ({error})")
 }
 
 /// Replaces this process by the program; returns only if that is not possible.
 #[cfg(not(unix))]
-fn become_program(_program: &Path, _arguments: &[OsString]) -> String {
+fn become_program(_program: &Path, _arguments: &[OsString], _token: &Token) -> String {
     "the new program is built, but this system cannot put it in the place of the running one".into()
 }
 
@@ -339,7 +357,9 @@ mod tests {
         ] {
             assert!(!is_source(Path::new(other)), "{other}");
         }
-        assert!(is_of_the_program(Path::new("src/workbook/reload.html")));
+        assert!(is_of_the_program(Path::new(
+            "src/workbook/server/reload.html"
+        )));
         assert!(!is_of_the_program(Path::new("book/src/SUMMARY.md")));
     }
 }

@@ -1,12 +1,15 @@
 //! All of a check, for one answer.
 
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::CheckingError;
 use super::compile::{Program, Source, compile_answer, compile_tests};
 use super::library::Library;
 use super::misconception;
+use super::runner::Runner;
 use super::trial::{AfterTooLong, Results, run_probes, run_tests};
 use super::verdict::{Diagnostic, Outcome, TestOutcome, Verdict};
 use crate::book::exercise::{Exercise, Tested};
@@ -19,7 +22,7 @@ pub type Answer = Source;
 #[derive(Debug, Clone)]
 pub struct Checker {
     library: Library,
-    isolation: Isolation,
+    runner: Runner,
     limits: Limits,
 }
 
@@ -46,7 +49,7 @@ impl Checker {
     pub fn with_library(library: Library, isolation: Isolation) -> Self {
         Self {
             library,
-            isolation,
+            runner: Runner::new(isolation),
             limits: Limits::answer(),
         }
     }
@@ -58,6 +61,13 @@ impl Checker {
         self
     }
 
+    /// The same checker, which ends what it runs as soon as `stop` is true: a check is then [`CheckingError::Stopped`].
+    #[must_use]
+    pub fn until(mut self, stop: Arc<AtomicBool>) -> Self {
+        self.runner = self.runner.until(stop);
+        self
+    }
+
     /// The compiled library.
     pub fn library(&self) -> &Library {
         &self.library
@@ -65,7 +75,12 @@ impl Checker {
 
     /// How programs are kept apart.
     pub fn isolation(&self) -> Isolation {
-        self.isolation
+        self.runner.isolation()
+    }
+
+    /// What runs the compiler and the programs.
+    pub fn runner(&self) -> &Runner {
+        &self.runner
     }
 
     /// How much an answer may use.
@@ -84,7 +99,7 @@ impl Checker {
         tested: &Tested,
         answer: &Answer,
     ) -> Result<Compiled, CheckingError> {
-        let compiled = match compile_answer(&self.library, answer, self.isolation)? {
+        let compiled = match compile_answer(&self.library, answer, &self.runner)? {
             Ok(compiled) => compiled,
             Err(diagnostics) => return Ok(Compiled::Refused(diagnostics)),
         };
@@ -94,7 +109,7 @@ impl Checker {
             text: tested.tests.program(),
         };
         Ok(
-            match compile_tests(&self.library, compiled, &tests, self.isolation)? {
+            match compile_tests(&self.library, compiled, &tests, &self.runner)? {
                 Ok(program) => Compiled::Program(program, warnings),
                 Err(diagnostics) => Compiled::Refused(diagnostics),
             },
@@ -123,7 +138,7 @@ impl Checker {
             &names,
             seed,
             &self.limits,
-            self.isolation,
+            &self.runner,
             AfterTooLong::Stop,
         )
     }
@@ -140,7 +155,7 @@ impl Checker {
         answer: &Answer,
     ) -> Result<Option<Vec<String>>, CheckingError> {
         match self.compile(exercise, tested, answer)? {
-            Compiled::Program(program, _) => run_probes(&program, &self.limits, self.isolation),
+            Compiled::Program(program, _) => run_probes(&program, &self.limits, &self.runner),
             Compiled::Refused(_) => Ok(None),
         }
     }
@@ -187,7 +202,7 @@ impl Checker {
         if results.took_too_long {
             return Ok(verdict(Outcome::Failed, warnings, results, None));
         }
-        let misconception = match run_probes(&program, &self.limits, self.isolation)? {
+        let misconception = match run_probes(&program, &self.limits, &self.runner)? {
             Some(found) => misconception::recognise(self, exercise, tested, &found)?,
             None => None,
         };

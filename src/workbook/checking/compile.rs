@@ -12,9 +12,9 @@ use serde_json::Value;
 
 use super::CheckingError;
 use super::library::Library;
-use super::trial::launch;
+use super::runner::Runner;
 use super::verdict::Diagnostic;
-use crate::workbook::sandbox::{Ending, Isolation, Job, Limits};
+use crate::workbook::sandbox::{Ending, Job, Limits};
 
 /// A source with the name by which messages call it.
 #[derive(Debug, Clone)]
@@ -52,7 +52,7 @@ pub struct Program {
 pub fn compile_answer(
     library: &Library,
     source: &Source,
-    isolation: Isolation,
+    runner: &Runner,
 ) -> Result<Result<CompiledAnswer, Vec<Diagnostic>>, CheckingError> {
     if let Some(diagnostic) = forbidden(source) {
         return Ok(Err(vec![diagnostic]));
@@ -73,7 +73,7 @@ pub fn compile_answer(
         ]
         .map(OsString::from),
     );
-    let said = rustc(library, folder.path(), arguments, isolation)?;
+    let said = rustc(library, folder.path(), arguments, runner)?;
     let diagnostics = said.diagnostics("answer.rs", &source.shown_as);
     let compiled = folder.path().join("libanswer.rlib");
     Ok(if said.succeeded && compiled.is_file() {
@@ -100,7 +100,7 @@ pub fn compile_tests(
     library: &Library,
     answer: CompiledAnswer,
     tests: &Source,
-    isolation: Isolation,
+    runner: &Runner,
 ) -> Result<Result<Program, Vec<Diagnostic>>, CheckingError> {
     let folder = answer.folder;
     let file = folder.path().join("tests.rs");
@@ -116,7 +116,7 @@ pub fn compile_tests(
     arguments
         .extend(["--crate-type=bin", "-Adead_code", "tests.rs", "-o", "tests"].map(OsString::from));
     arguments.extend(linker(library, folder.path())?);
-    let said = rustc(library, folder.path(), arguments, isolation)?;
+    let said = rustc(library, folder.path(), arguments, runner)?;
     let path = folder.path().join("tests");
     Ok(if said.succeeded && path.is_file() {
         Ok(Program { folder, path })
@@ -294,7 +294,7 @@ fn rustc(
     library: &Library,
     folder: &Path,
     arguments: Vec<OsString>,
-    isolation: Isolation,
+    runner: &Runner,
 ) -> Result<Said, CheckingError> {
     let job = Job {
         program: library.rustc.clone(),
@@ -306,7 +306,7 @@ fn rustc(
         needs_system: true,
         limits: Limits::compiler(),
     };
-    let run = launch(&job, isolation)?;
+    let run = runner.run(&job)?;
     Ok(Said {
         succeeded: run.ending == Ending::Exited(0),
         ending: run.ending,

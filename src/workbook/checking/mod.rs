@@ -10,6 +10,7 @@
 //! | [`compile`] | an answer and the tests of its exercise become a program |
 //! | [`trial`] | the program runs, and tells its results over a channel of its own |
 //! | [`verdict`] | what `check --json` prints, the page shows and `grade` counts |
+//! | [`runner`] | how compiler and program are run |
 //! | [`mod@check`] | all of it for one answer |
 //! | [`misconception`] | which mutant an answer behaves like |
 
@@ -17,6 +18,7 @@ pub mod check;
 pub mod compile;
 pub mod library;
 pub mod misconception;
+pub mod runner;
 pub mod trial;
 pub mod verdict;
 
@@ -26,6 +28,7 @@ use thiserror::Error;
 
 pub use check::{Answer, Checker};
 pub use library::Library;
+pub use runner::Runner;
 pub use verdict::{Outcome, Verdict};
 
 /// A check could not run; it says nothing about the answer.
@@ -67,6 +70,9 @@ pub enum CheckingError {
     /// The operating system does not have what running an answer needs.
     #[error("answers cannot be run on this system: {0}")]
     Unsupported(String),
+    /// Nobody waits for the result any more.
+    #[error("the check was stopped before its end")]
+    Stopped,
 }
 
 impl CheckingError {

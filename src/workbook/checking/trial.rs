@@ -9,11 +9,12 @@ use std::time::Duration;
 
 use super::CheckingError;
 use super::compile::Program;
+use super::runner::Runner;
 use super::verdict::{PictureStroke, TestOutcome, TestResult};
 use crate::check::harness::PROBES;
 use crate::check::report::{Failure, Message};
 use crate::check::{Picture, Role};
-use crate::workbook::sandbox::{self, Ending, Isolation, Job, Limits, Run};
+use crate::workbook::sandbox::{Ending, Job, Limits, Run};
 
 /// What the tests of one program gave.
 #[derive(Debug, Clone, Default)]
@@ -57,7 +58,7 @@ pub fn run_tests(
     tests: &[&str],
     seed: u64,
     limits: &Limits,
-    isolation: Isolation,
+    runner: &Runner,
     after_too_long: AfterTooLong,
 ) -> Result<Results, CheckingError> {
     let mut results: Vec<TestResult> = Vec::new();
@@ -73,7 +74,7 @@ pub fn run_tests(
         if open.is_empty() {
             break;
         }
-        let (messages, run) = run_once(program, &open, seed, limits, isolation)?;
+        let (messages, run) = run_once(program, &open, seed, limits, runner)?;
         output.push_str(&String::from_utf8_lossy(&run.stdout));
         output.push_str(&String::from_utf8_lossy(&run.stderr));
         took_too_long |= run.ending == Ending::TooLong;
@@ -137,9 +138,9 @@ pub fn run_tests(
 pub fn run_probes(
     program: &Program,
     limits: &Limits,
-    isolation: Isolation,
+    runner: &Runner,
 ) -> Result<Option<Vec<String>>, CheckingError> {
-    let (messages, _) = run_once(program, &[PROBES], 0, limits, isolation)?;
+    let (messages, _) = run_once(program, &[PROBES], 0, limits, runner)?;
     Ok(messages.into_iter().find_map(|message| match message {
         Message::Probes(values) if !values.is_empty() => Some(values),
         _ => None,
@@ -152,7 +153,7 @@ fn run_once(
     names: &[&str],
     seed: u64,
     limits: &Limits,
-    isolation: Isolation,
+    runner: &Runner,
 ) -> Result<(Vec<Message>, Run), CheckingError> {
     // A new folder for each run, beside that of the sources: the program sees neither the tests nor an earlier run.
     let work = program.folder.path().parent().unwrap_or(Path::new("."));
@@ -208,17 +209,12 @@ fn run_once(
         needs_system: false,
         limits: limits.clone(),
     };
-    let run = launch(&job, isolation);
+    let run = runner.run(&job);
     // A closed channel ends the reader; one that was never opened needs to be told.
     let _ = stop.send(());
     let messages = reader.join().unwrap_or_default();
     let _ = std::fs::remove_file(&socket);
     Ok((messages, run?))
-}
-
-/// Runs a job in the sandbox.
-pub(super) fn launch(job: &Job, isolation: Isolation) -> Result<Run, CheckingError> {
-    sandbox::run(job, isolation).map_err(|e| CheckingError::Unsupported(e.to_string()))
 }
 
 fn result(test: String, outcome: TestOutcome, message: String) -> TestResult {

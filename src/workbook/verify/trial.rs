@@ -109,8 +109,8 @@ fn try_out(
     tested: &Tested,
     trial: &mut Trial,
 ) -> Result<(), CheckingError> {
-    let (library, isolation) = (checker.library(), checker.isolation());
-    let answer = match compile_answer(library, &trial.candidate.source, isolation)? {
+    let (library, runner) = (checker.library(), checker.runner());
+    let answer = match compile_answer(library, &trial.candidate.source, runner)? {
         Ok(answer) => answer,
         Err(diagnostics) => {
             trial.compilation = Compilation::Refused(diagnostics);
@@ -122,7 +122,7 @@ fn try_out(
         shown_as: exercise.folder.join("tests.rs").display().to_string(),
         text: tested.tests.program(),
     };
-    let program = match compile_tests(library, answer, &tests, isolation)? {
+    let program = match compile_tests(library, answer, &tests, runner)? {
         Ok(program) => program,
         Err(diagnostics) => {
             trial.compilation = Compilation::RefusedWithTests(diagnostics);
@@ -137,12 +137,12 @@ fn try_out(
             &names,
             seed,
             checker.limits(),
-            isolation,
+            runner,
             AfterTooLong::RunTheOthers,
         )
     };
     trial.results = run(SEED)?.tests;
-    trial.probes = run_probes(&program, checker.limits(), isolation)?;
+    trial.probes = run_probes(&program, checker.limits(), runner)?;
     if trial.candidate.role == Role::Solution && first_failure(&trial.results).is_none() {
         for seed in (SEED + 1)..=(SEED + OTHER_SEEDS) {
             let results = run(seed)?.tests;
