@@ -1,6 +1,8 @@
 //! Subdivision: curves and surfaces as limits of refined polygons and meshes.
 //!
 //! - [`polygon`] — open and closed polygons, doubling and averaging,
+//! - [`corner_cutting`] — the schemes of Chaikin, of Lane and Riesenfeld, and the cubic one,
+//! - [`scheme_kind`] — approximating or interpolating,
 //! - [`laurent`], [`mask`] — schemes for curves, and their algebra,
 //! - [`cosine`] — the irrational weights of schemes,
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
@@ -9,12 +11,14 @@
 
 pub mod box_spline;
 pub mod butterfly;
+pub mod corner_cutting;
 pub mod cosine;
 pub mod lattice_mask;
 pub mod laurent;
 pub mod loop_scheme;
 pub mod mask;
 pub mod polygon;
+pub mod scheme_kind;
 
 mod mesh;
 mod scheme;
@@ -45,3 +49,4 @@ pub use loop_scheme::{
 };
 pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
+pub use scheme_kind::SchemeKind;

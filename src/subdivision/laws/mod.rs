@@ -2,6 +2,10 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod corner_cutting;
 mod loop_scheme;
+mod uniform_splines;
 
+pub use corner_cutting::*;
 pub use loop_scheme::*;
+pub use uniform_splines::*;
