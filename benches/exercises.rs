@@ -3,6 +3,7 @@
 //! What was measured, and how to read it, is in `README.md` beside this file.
 
 use std::path::Path;
+use std::process::Command;
 use std::time::Duration;
 use std::{fs, hint};
 
@@ -15,11 +16,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 
 fn verdict(c: &mut Criterion) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let read = || {
-        let catalogue = Catalogue::load(root).expect("the catalogue loads");
-        Exercises::load(root, &[], &catalogue).expect("the exercises follow the schema")
-    };
-    let exercises = read();
+    let catalogue = Catalogue::load(root).expect("the catalogue loads");
+    let exercises =
+        Exercises::load(root, &[], &catalogue).expect("the exercises follow the schema");
     let name = "bezier/parabola-point".parse().expect("a name");
     let exercise = exercises.get(&name).expect("the exercise is there");
     let tested = exercise.tested.as_ref().expect("it has tests");
@@ -48,12 +47,24 @@ fn verdict(c: &mut Criterion) {
     group.bench_function("wrong answer, watched", |b| {
         b.iter(|| judge(&checker, &tested.mutants[0].text, Outcome::Failed));
     });
-    // A command of its own reads the exercises and looks after the library first.
+    // A command of its own is a new process, which reads the exercises and looks after the library first.
+    let answers = folder.path().join("answers");
+    let workbook = |arguments: &[&str]| {
+        let run = Command::new(env!("CARGO_BIN_EXE_workbook"))
+            .args(arguments)
+            .arg("--answers")
+            .arg(&answers)
+            .current_dir(root)
+            .output();
+        run.expect("the workbook starts")
+    };
+    workbook(&["start", "bezier/parabola-point"]);
+    let answer = answers.join("bezier/parabola-point.rs");
+    fs::write(&answer, &tested.mutants[0].text).expect("the answer is saved");
     group.bench_function("wrong answer, new command", |b| {
         b.iter(|| {
-            hint::black_box(read());
-            let checker = Checker::new(root, Isolation::best()).expect("the library compiles");
-            judge(&checker, &tested.mutants[0].text, Outcome::Failed);
+            let run = workbook(&["check", "bezier/parabola-point", "--json"]);
+            assert_eq!(run.status.code(), Some(1), "{run:?}");
         });
     });
     group.finish();

@@ -138,7 +138,12 @@ impl<'a> Claim<'a> {
 ///
 /// Written by the macro [`probes!`](crate::probes).
 pub fn probe<T: Show>(run: impl FnOnce() -> T) -> String {
-    catch_unwind(AssertUnwindSafe(run)).map_or_else(|_| "panics".to_owned(), |value| value.show())
+    shown_or_panics(Box::new(|| run().show()))
+}
+
+/// The part of [`probe`] that is the same for all values: compiled here, and not anew with each probe of a test.
+fn shown_or_panics(run: Box<dyn FnOnce() -> String + '_>) -> String {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| "panics".to_owned())
 }
 
 /// What an answer does on chosen inputs: `fn probes() -> Vec<String> { cagd::probes![answer::f(1), answer::f(2)] }`.

@@ -104,7 +104,9 @@ pub fn compile_tests(
 ) -> Result<Result<Program, Vec<Diagnostic>>, CheckingError> {
     let folder = answer.folder;
     let file = folder.path().join("tests.rs");
-    fs::write(&file, &tests.text).map_err(|e| CheckingError::file(&file, &e))?;
+    // Behind the last line, so that the others keep their numbers: only a crate that is named is looked into.
+    let text = format!("{}\nextern crate instances as _;\n", tests.text);
+    fs::write(&file, text).map_err(|e| CheckingError::file(&file, &e))?;
     let mut arguments = common(library, "tests", folder.path());
     let named = |name: &str, path: &Path| {
         let mut argument = OsString::from(format!("--extern={name}="));
@@ -113,6 +115,7 @@ pub fn compile_tests(
     };
     arguments.push(named("answer", &answer.library));
     arguments.push(named("proptest", &library.proptest));
+    arguments.push(named("instances", &library.instances));
     arguments
         .extend(["--crate-type=bin", "-Adead_code", "tests.rs", "-o", "tests"].map(OsString::from));
     arguments.extend(linker(library, folder.path())?);
@@ -302,7 +305,12 @@ fn rustc(
         // The linker and the compiler's own helpers are found by it.
         environment: vec![("PATH".into(), "/usr/local/bin:/usr/bin:/bin".into())],
         scratch: folder.to_path_buf(),
-        readable: vec![library.sysroot.clone(), library.dependencies.clone()],
+        // Cargo puts the package's own library beside the folder of its dependencies.
+        readable: vec![
+            library.sysroot.clone(),
+            library.dependencies.clone(),
+            library.instances.clone(),
+        ],
         needs_system: true,
         limits: Limits::compiler(),
     };

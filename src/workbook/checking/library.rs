@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -23,6 +24,8 @@ pub struct Library {
     pub cagd: PathBuf,
     /// The compiled crate proptest, for tests.
     pub proptest: PathBuf,
+    /// What the tests of exercises have in common, compiled; see [`INSTANCES`].
+    pub instances: PathBuf,
     /// The folder with the crates that these two need.
     pub dependencies: PathBuf,
     /// The compiler.
@@ -32,6 +35,11 @@ pub struct Library {
     /// The folder in which answers are compiled and run, each in a folder of its own.
     pub work: PathBuf,
 }
+
+/// The source of the package's library: it calls what many tests call, so that it is compiled once.
+///
+/// A test program takes about half as long to compile with it.
+const INSTANCES: &str = include_str!("instances.rs");
 
 /// Where the package and everything that checking makes stand, relative to the root of the workbook.
 pub const FOLDER: &str = "target/exercises";
@@ -43,8 +51,15 @@ impl Library {
     ///
     /// Cargo or the compiler do not start, or the library does not compile.
     pub fn build(root: &Path) -> Result<Self, CheckingError> {
-        let rustc = compiler(root)?;
-        let fingerprint = fingerprint(root, &rustc.version)?;
+        // The compiler starts while the sources are read.
+        let (rustc, sources) = thread::scope(|scope| {
+            let rustc = scope.spawn(|| compiler(root));
+            let sources = digest_of_sources(root);
+            (rustc.join().unwrap_or_else(|_| compiler(root)), sources)
+        });
+        let (rustc, mut digest) = (rustc?, sources?);
+        digest.update(&rustc.version);
+        let fingerprint = hex(&digest.finalize());
         let folder = root.join(FOLDER);
         let record = folder.join("library.json");
         let known: Option<Self> = fs::read(&record)
@@ -56,16 +71,18 @@ impl Library {
             && known.work == folder.join("work")
             && known.cagd.is_file()
             && known.proptest.is_file()
+            && known.instances.is_file()
         {
             return Ok(known);
         }
         write_package(root, &folder.join("package"))?;
-        let [cagd, proptest] = cargo_build(&folder)?;
+        let [cagd, proptest, instances] = cargo_build(&folder)?;
         let library = Self {
             fingerprint,
             dependencies: folder.join("build/debug/deps"),
             cagd,
             proptest,
+            instances,
             rustc: rustc.path,
             sysroot: rustc.sysroot,
             work: folder.join("work"),
@@ -99,7 +116,7 @@ fn compiler(root: &Path) -> Result<Compiler, CheckingError> {
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     };
     // Each question starts the compiler anew, so both are asked at once.
-    let (version, sysroot) = std::thread::scope(|scope| {
+    let (version, sysroot) = thread::scope(|scope| {
         let version = scope.spawn(|| ask(&["-vV"]));
         let sysroot = ask(&["--print", "sysroot"]);
         let version = version.join().unwrap_or_else(|_| ask(&["-vV"]));
@@ -120,8 +137,8 @@ fn compiler(root: &Path) -> Result<Compiler, CheckingError> {
     })
 }
 
-/// A digest of what the library is made of.
-fn fingerprint(root: &Path, compiler: &str) -> Result<String, CheckingError> {
+/// A digest of the sources and the lock file that the library is made of, to be continued with the compiler.
+fn digest_of_sources(root: &Path) -> Result<Sha256, CheckingError> {
     let mut files = vec![root.join("Cargo.toml"), root.join("Cargo.lock")];
     // What an answer is compiled against; the book, the figures and the command line are behind features.
     let elsewhere = ["book", "workbook", "figure", "gallery.rs", "live", "bin"];
@@ -145,7 +162,7 @@ fn fingerprint(root: &Path, compiler: &str) -> Result<String, CheckingError> {
     }
     files.sort();
     let mut digest = Sha256::new();
-    digest.update(compiler);
+    digest.update(INSTANCES);
     for file in files {
         let text = fs::read(&file).map_err(|e| CheckingError::file(&file, &e))?;
         digest.update(
@@ -158,7 +175,7 @@ fn fingerprint(root: &Path, compiler: &str) -> Result<String, CheckingError> {
         digest.update((text.len() as u64).to_le_bytes());
         digest.update(&text);
     }
-    Ok(hex(&digest.finalize()))
+    Ok(digest)
 }
 
 /// The digits of a digest.
@@ -172,10 +189,7 @@ fn write_package(root: &Path, package: &Path) -> Result<(), CheckingError> {
     let manifest = manifest(root)?;
     fs::create_dir_all(package).map_err(|e| CheckingError::file(package, &e))?;
     replace(&package.join("Cargo.toml"), manifest.as_bytes())?;
-    replace(
-        &package.join("lib.rs"),
-        b"//! Only the dependencies are of interest.\n",
-    )?;
+    replace(&package.join("lib.rs"), INSTANCES.as_bytes())?;
     let lock_text = fs::read(&lock).map_err(|e| CheckingError::file(&lock, &e))?;
     replace(&package.join("Cargo.lock"), &lock_text)
 }
@@ -205,7 +219,7 @@ fn manifest(root: &Path) -> Result<String, CheckingError> {
     let mut library = toml::Table::new();
     library.insert("path".into(), "lib.rs".into());
     let mut package = toml::Table::new();
-    package.insert("name".into(), "answers".into());
+    package.insert("name".into(), "instances".into());
     package.insert("edition".into(), "2024".into());
     package.insert("publish".into(), false.into());
     let mut whole = toml::Table::new();
@@ -239,8 +253,8 @@ pub(crate) fn core_profile(manifest: &toml::Table) -> toml::Table {
         .collect()
 }
 
-/// Builds the package and returns where the libraries `cagd` and `proptest` are.
-fn cargo_build(folder: &Path) -> Result<[PathBuf; 2], CheckingError> {
+/// Builds the package and returns where the libraries `cagd`, `proptest` and `instances` are.
+fn cargo_build(folder: &Path) -> Result<[PathBuf; 3], CheckingError> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let build = |offline: bool| {
         let mut command = Command::new(&cargo);
@@ -294,7 +308,7 @@ fn cargo_build(folder: &Path) -> Result<[PathBuf; 2], CheckingError> {
             .map(PathBuf::from)
             .ok_or_else(|| CheckingError::Library(format!("cargo has built no library `{name}`")))
     };
-    Ok([part("cagd")?, part("proptest")?])
+    Ok([part("cagd")?, part("proptest")?, part("instances")?])
 }
 
 /// Writes a file whole or not at all, if it is not there already.

@@ -1,20 +1,24 @@
 //! Which mutant an answer behaves like.
 
 use std::fs;
+use std::thread;
 
 use super::CheckingError;
 use super::check::Checker;
 use super::compile::Source;
 use super::library::{hex, replace};
 use super::verdict::Misconception;
-use crate::book::exercise::{Exercise, Tested};
+use crate::book::exercise::{Exercise, Tested, Variant};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+
+/// The name of a mutant and its values.
+type OfMutant = (String, Vec<String>);
 
 /// What each mutant does on the probe inputs.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Probes {
-    mutants: Vec<(String, Vec<String>)>,
+    mutants: Vec<OfMutant>,
 }
 
 /// How far two rounded numbers may be apart, relative to the larger, and still count as the same behaviour.
@@ -73,16 +77,29 @@ fn probes_of_mutants(
     {
         return Ok(known);
     }
-    let mut mutants = Vec::new();
-    for mutant in &tested.mutants {
+    let probe = |mutant: &Variant| {
         let source = Source {
             shown_as: mutant.file.display().to_string(),
             text: mutant.text.clone(),
         };
-        if let Some(values) = checker.probes(exercise, tested, &source)? {
-            mutants.push((mutant.name.clone(), values));
-        }
-    }
+        let values = checker.probes(exercise, tested, &source)?;
+        Ok(values.map(|values| (mutant.name.clone(), values)))
+    };
+    // A reader waits for the first wrong answer to an exercise, so all mutants are compiled at once.
+    let found: Vec<Result<Option<OfMutant>, CheckingError>> = thread::scope(|scope| {
+        let probe = &probe;
+        let begun: Vec<_> = tested
+            .mutants
+            .iter()
+            .map(|mutant| (mutant, scope.spawn(move || probe(mutant))))
+            .collect();
+        begun
+            .into_iter()
+            .map(|(mutant, handle)| handle.join().unwrap_or_else(|_| probe(mutant)))
+            .collect()
+    });
+    let mutants = found.into_iter().filter_map(Result::transpose);
+    let mutants = mutants.collect::<Result<_, _>>()?;
     let probes = Probes { mutants };
     let text = serde_json::to_vec(&probes).map_err(|e| CheckingError::file(&file, &e.into()))?;
     replace(&file, &text)?;
