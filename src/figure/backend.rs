@@ -128,6 +128,41 @@ impl Sheet {
             self.close_path();
         }
     }
+
+    /// Writes faces of a surface as one path, in tenths of a unit: many faces are to stay a small picture.
+    pub(super) fn faces(&mut self, faces: &[Vec<BackendCoord>], look: Look) {
+        self.close_path();
+        let _ = write!(self.body, "<path class=\"{}\" d=\"", look.class);
+        for face in faces {
+            let rounded = face.iter().map(|&(x, y)| (tenth(x), tenth(y)));
+            let mut corners: Vec<BackendCoord> = rounded.collect();
+            corners.dedup();
+            let Some((&first, rest)) = corners.split_first() else {
+                continue;
+            };
+            self.body.push('M');
+            pair(&mut self.body, first);
+            let mut last = first;
+            for (i, &next) in rest.iter().enumerate() {
+                if i == 0 {
+                    self.body.push('l');
+                } else if next.0 >= last.0 {
+                    self.body.push(' ');
+                }
+                pair(&mut self.body, (next.0 - last.0, next.1 - last.1));
+                self.lines.push((units(last), units(next), look.weight));
+                last = next;
+            }
+            self.body.push('z');
+        }
+        self.body.push_str("\"/>");
+        self.ink(look);
+    }
+}
+
+/// Hundredths, rounded to tenths.
+fn tenth(hundredths: i32) -> i32 {
+    (hundredths + 5).div_euclid(10) * 10
 }
 
 fn units((x, y): BackendCoord) -> [f64; 2] {

@@ -344,7 +344,7 @@ impl Canvas {
         });
     }
 
-    fn draw(&mut self, name: &str, mut shape: Shape, look: Looks) {
+    pub(super) fn draw(&mut self, name: &str, mut shape: Shape, look: Looks) {
         for place in shape.places_mut() {
             self.placed(name, place);
         }

@@ -44,6 +44,7 @@ mod reading;
 mod render;
 mod scheme;
 mod shape;
+mod space;
 mod style;
 mod ticks;
 
@@ -58,6 +59,7 @@ pub use reading::LawReading;
 pub use render::Picture;
 pub use scheme::Scheme;
 pub use shape::{Axes, Side, Window};
+pub use space::{Cover, PaintedFace, Surface, SurfacePlot, View};
 pub use style::{PointStyle, Style};
 
 /// A number with at most `digits` decimals, without trailing zeros and without a negative zero.

@@ -33,6 +33,31 @@ pub(super) const LEVEL_4: Colour = colour("level-4", "#44291a", "#b87855");
 pub(super) const GUIDE: Colour = colour("guide", "#858e99", "#78828f");
 pub(super) const REGION: Colour = colour("region", "#56b4e9", "#56b4e9");
 
+/// A face of a surface in full light and in the shadow: its outside, its inside, and where it is marked.
+pub(super) const FRONT: [Colour; 2] = [
+    colour("front-light", "#eef6fc", "#5788b0"),
+    colour("front-shadow", "#86b4d6", "#1d3850"),
+];
+pub(super) const BACK: [Colour; 2] = [
+    colour("back-light", "#f2efe9", "#8b857b"),
+    colour("back-shadow", "#b3aca0", "#35322d"),
+];
+pub(super) const MARKED: [Colour; 2] = [
+    colour("marked-light", "#ffe9b8", "#d9a441"),
+    colour("marked-shadow", "#d9a441", "#5a4314"),
+];
+
+/// The colour that has `part` of the first and the rest of the second, both as `#rrggbb`.
+pub(super) fn mixed(first: &str, second: &str, part: f64) -> String {
+    let channel = |hex: &str, at: usize| {
+        let digits = hex.get(at..at + 2).unwrap_or_default();
+        f64::from(u8::from_str_radix(digits, 16).unwrap_or_default())
+    };
+    let mix = |at: usize| part * channel(first, at) + (1.0 - part) * channel(second, at);
+    let [r, g, b] = [1, 3, 5].map(|at| mix(at).round() as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -149,7 +174,8 @@ mod tests {
 
     #[test]
     fn the_page_defines_every_colour_in_both_themes() {
-        for Colour { name, light, dark } in LINES.iter().chain(&[GUIDE, REGION]) {
+        let surfaces = [FRONT, BACK, MARKED].concat();
+        for Colour { name, light, dark } in LINES.iter().chain(&[GUIDE, REGION]).chain(&surfaces) {
             assert!(
                 PAGE_CSS.contains(&format!("--fig-{name}: {light};")),
                 "--fig-{name} on paper"

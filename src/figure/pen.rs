@@ -17,6 +17,7 @@ use super::label::{Label, SIZE};
 use super::layout::Laid;
 use super::place::Place;
 use super::placement::Request;
+use super::space::{PaintedFace, groups};
 use super::style::{Look, Marker, PointStyle};
 
 /// Lines of at least this weight get a halo where text crosses them: all but the outlines of regions.
@@ -84,6 +85,34 @@ impl Pen {
         let ink = self.sheet.borrow_mut().ink(look);
         let inside: Vec<(f64, f64)> = inside.into_iter().map(|[x, y]| (x, y)).collect();
         ground.area.draw(&Polygon::new(inside, ink))
+    }
+
+    /// Paints a surface, sets of faces that do not cover each other as one path.
+    pub(super) fn surface(
+        &mut self,
+        ground: &Ground<'_>,
+        places: &[Place],
+        faces: &[PaintedFace],
+        edges: bool,
+    ) {
+        let mut sheet = self.sheet.borrow_mut();
+        for group in groups(faces, places) {
+            let Some(head) = group.first() else { continue };
+            let look = Look::face(head.cover, head.shade, edges);
+            let polygons = group.iter().map(|face| {
+                let corners = face
+                    .corners
+                    .iter()
+                    .map(|&v| ground.axes(&places[v as usize]));
+                let inside = ground.clip.polygon(&corners.collect::<Vec<_>>());
+                inside
+                    .into_iter()
+                    .map(|at| pixel(ground.units(at)))
+                    .collect()
+            });
+            let polygons: Vec<Vec<(i32, i32)>> = polygons.collect();
+            sheet.faces(&polygons, look);
+        }
     }
 
     pub(super) fn circle(

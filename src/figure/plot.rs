@@ -6,6 +6,7 @@ use super::place::{Place, Position};
 use super::reading::LawReading;
 use super::render::{self, Picture};
 use super::shape::{Item, Panel, Shape, Window};
+use super::space::SurfacePlot;
 
 /// A figure drawn with certain values: everything in it by name, in world coordinates.
 ///
@@ -150,6 +151,17 @@ impl Plot {
         match self.shape(name)? {
             Shape::Points { points } => Ok(points),
             other => Err(self.wrong_shape(name, "a set of points", other)),
+        }
+    }
+
+    /// A surface as it was painted.
+    ///
+    /// # Errors
+    /// [`PlotError`] if nothing, several things or something else has this name.
+    pub fn surface(&self, name: &str) -> Result<SurfacePlot<'_>, PlotError> {
+        match self.shape(name)? {
+            Shape::Surface { places, faces } => Ok(SurfacePlot { places, faces }),
+            other => Err(self.wrong_shape(name, "a surface", other)),
         }
     }
 

@@ -172,7 +172,13 @@ impl Pen {
                     .try_for_each(|p| self.marker(ground, ground.axes(p), style)),
                 _ => Ok(()),
             },
-            Looks::Dot(_) | Looks::Text | Looks::SmallText => Ok(()),
+            Looks::Surface { edges } if layer == 0 => {
+                if let Shape::Surface { places, faces } = &item.shape {
+                    self.surface(ground, places, faces, edges);
+                }
+                Ok(())
+            }
+            Looks::Dot(_) | Looks::Text | Looks::SmallText | Looks::Surface { .. } => Ok(()),
         }
     }
 
@@ -203,6 +209,7 @@ impl Pen {
             }
             Shape::Point { .. }
             | Shape::Points { .. }
+            | Shape::Surface { .. }
             | Shape::Label { .. }
             | Shape::Text { .. } => Ok(()),
         }
@@ -285,7 +292,7 @@ impl Pen {
                     }
                 }
                 Looks::Dot(style) => self.mark([x + 13.0, y - 5.0], *style, 1.0)?,
-                Looks::Text | Looks::SmallText => {}
+                Looks::Text | Looks::SmallText | Looks::Surface { .. } => {}
             }
             self.text(text, SIZE, [x + 34.0, y], HPos::Left)?;
         }

@@ -2,6 +2,7 @@
 
 use super::label::{SIZE, block};
 use super::place::Place;
+use super::space::PaintedFace;
 use super::style::{PointStyle, Style};
 
 /// One thing that was drawn, with its name.
@@ -19,6 +20,10 @@ pub(super) enum Looks {
     Dot(PointStyle),
     Text,
     SmallText,
+    Surface {
+        /// Whether lines are drawn along the edges.
+        edges: bool,
+    },
 }
 
 /// Where a text stands relative to its anchor.
@@ -79,6 +84,11 @@ pub(super) enum Shape {
     Points {
         points: Vec<Place>,
     },
+    /// A surface in space, put into the plane: all vertices, and the faces that are seen, the farthest first.
+    Surface {
+        places: Vec<Place>,
+        faces: Vec<PaintedFace>,
+    },
     /// A label that looks for a free place around its anchor, or keeps to the side it is told.
     Label {
         text: String,
@@ -105,6 +115,7 @@ impl Shape {
             Shape::Circle { .. } => "a circle",
             Shape::Point { .. } => "a point",
             Shape::Points { .. } => "a set of points",
+            Shape::Surface { .. } => "a surface",
             Shape::Label { .. } => "a label",
             Shape::Text { .. } => "a text",
         }
@@ -116,7 +127,8 @@ impl Shape {
             Shape::Polyline { points }
             | Shape::Curve { points, .. }
             | Shape::Polygon { points }
-            | Shape::Points { points } => points.iter_mut().collect(),
+            | Shape::Points { points }
+            | Shape::Surface { places: points, .. } => points.iter_mut().collect(),
             Shape::Segment { from, to } | Shape::Arrow { from, to } => vec![from, to],
             Shape::Line { through, and } => vec![through, and],
             Shape::Circle { centre: at, .. }
@@ -134,7 +146,8 @@ impl Shape {
             Shape::Polyline { points }
             | Shape::Curve { points, .. }
             | Shape::Polygon { points }
-            | Shape::Points { points } => points.clone(),
+            | Shape::Points { points }
+            | Shape::Surface { places: points, .. } => points.clone(),
             Shape::Segment { from, to } | Shape::Arrow { from, to } => vec![*from, *to],
             Shape::Line { .. } => vec![],
             Shape::Circle { centre, radius } => vec![

@@ -9,8 +9,10 @@
 use std::fmt::Write;
 
 use super::palette::{
-    ACCENT, CURVE, Colour, GUIDE, LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4, PAPER, POLYGON, REGION, TEXT,
+    ACCENT, BACK, CURVE, Colour, FRONT, GUIDE, LEVEL_1, LEVEL_2, LEVEL_3, LEVEL_4, MARKED, PAPER,
+    POLYGON, REGION, TEXT, mixed,
 };
+use super::space::{Cover, SHADES};
 
 /// How a line, a polygon or a region looks: by its role, never by a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -86,6 +88,8 @@ pub(super) struct Look {
     dash: &'static str,
     /// How much a label minds lying on it.
     pub(super) weight: f64,
+    /// Light and shadow of a face, and how much of the light it has, in per cent; instead of a fill.
+    shading: Option<([Colour; 2], u32)>,
     /// Regions lie below guides, these below lines, these below points.
     pub(super) layer: u8,
 }
@@ -109,6 +113,7 @@ impl Look {
             width,
             dash,
             weight: 1.0,
+            shading: None,
             layer: 2,
         }
     }
@@ -121,6 +126,7 @@ impl Look {
             width: 0.0,
             dash: "",
             weight: 0.2,
+            shading: None,
             layer: 0,
         }
     }
@@ -133,7 +139,30 @@ impl Look {
             width,
             dash: "",
             weight: 1.0,
+            shading: None,
             layer: 3,
+        }
+    }
+
+    /// A face of a surface, with or without lines along its edges.
+    pub(super) fn face(cover: Cover, shade: u8, edges: bool) -> Self {
+        let (name, colours) = match cover {
+            Cover::Front => ("front", FRONT),
+            Cover::Back => ("back", BACK),
+            Cover::Marked => ("marked", MARKED),
+        };
+        let smooth = if edges { "" } else { "smooth-" };
+        Look {
+            class: format!("{smooth}{name}-{shade}"),
+            stroke: edges.then_some(POLYGON),
+            fill: None,
+            // Without lines, a thin one in the colour of the face covers the gap to its neighbours.
+            width: if edges { 0.7 } else { 0.4 },
+            dash: "",
+            // A label on a surface needs a halo.
+            weight: 0.35,
+            shading: Some((colours, 100 * u32::from(shade) / u32::from(SHADES - 1))),
+            layer: 0,
         }
     }
 
@@ -169,6 +198,7 @@ impl Look {
             width: 0.0,
             dash: "",
             weight: 0.0,
+            shading: None,
             layer: 4,
         }
     }
@@ -193,6 +223,7 @@ impl Look {
             fill,
             width,
             dash,
+            shading,
             ..
         } = self;
         let (mut light, mut dark) = (String::new(), String::new());
@@ -215,9 +246,28 @@ impl Look {
             }
             .expect("writing to a string")
         };
-        paint("fill", fill.map(|(colour, _)| colour));
+        if shading.is_none() {
+            paint("fill", fill.map(|(colour, _)| colour));
+        }
         if stroke.is_some() {
             paint("stroke", *stroke);
+        }
+        if let Some(([lit, shadow], percent)) = shading {
+            let mix = |rule: &mut String, lit_colour: &str, shadow_colour: &str| {
+                let plain = mixed(lit_colour, shadow_colour, f64::from(*percent) / 100.0);
+                let mixture = format!(
+                    "color-mix(in srgb,var(--fig-{},{lit_colour}) {percent}%,var(--fig-{},{shadow_colour}))",
+                    lit.name, shadow.name
+                );
+                for property in ["fill", "stroke"]
+                    .iter()
+                    .take(if stroke.is_some() { 1 } else { 2 })
+                {
+                    let _ = write!(rule, "{property}:{plain};{property}:{mixture};");
+                }
+            };
+            mix(&mut light, lit.light, shadow.light);
+            mix(&mut dark, lit.dark, shadow.dark);
         }
         if let Some((_, opacity)) = fill.filter(|(_, opacity)| *opacity < 1.0) {
             let _ = write!(light, "fill-opacity:{opacity};");
