@@ -5,14 +5,19 @@
 //! - [`scheme_kind`] — approximating or interpolating,
 //! - [`laurent`], [`mask`] — schemes for curves, and their algebra,
 //! - [`cosine`] — the irrational weights of schemes,
-//! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
+//! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
+//! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges;
 //!
 //! the theorems are in [`laws`].
 
 pub mod box_spline;
 pub mod butterfly;
+pub mod catmull_clark;
 pub mod corner_cutting;
 pub mod cosine;
+pub mod creases;
+pub mod doo_sabin;
+pub mod kobbelt;
 pub mod lattice_mask;
 pub mod laurent;
 pub mod loop_scheme;
@@ -22,6 +27,7 @@ pub mod scheme_kind;
 
 mod mesh;
 mod scheme;
+mod stencil;
 
 pub mod laws;
 
@@ -40,7 +46,14 @@ pub use box_spline::box_spline_222;
 pub use butterfly::{
     butterfly_centre_weight, butterfly_cosine_formula, butterfly_star_weights, butterfly_weights,
 };
+pub use catmull_clark::{
+    CatmullClark, QuadrilateralStar, catmull_clark_limit_weights, catmull_clark_tangent_factor,
+    catmull_clark_vertex_weights,
+};
 pub use cosine::{CosineError, CosineOfTurn};
+pub use creases::{CreaseError, Creases, VertexRule};
+pub use doo_sabin::{DooSabin, doo_sabin_face, doo_sabin_weights};
+pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights};
 pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;
 pub use loop_scheme::{

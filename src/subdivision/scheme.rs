@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{FaceId, Mesh, MeshError, VertexId};
+use super::{CosineError, FaceId, Mesh, MeshError, VertexId};
 use crate::affine::Affine;
 
 /// A rule that makes a finer mesh of a mesh.
@@ -70,6 +70,9 @@ pub enum SchemeError {
     /// The refined mesh does not exist.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// A weight is irrational, and the numbers of the mesh are rational.
+    #[error(transparent)]
+    Cosine(#[from] CosineError),
     /// A face has a number of vertices that the scheme has no rule for.
     #[error(
         "{scheme} needs faces with {expected} vertices, but {face} has {found}; split it first"

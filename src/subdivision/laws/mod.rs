@@ -2,10 +2,16 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod catmull_clark;
 mod corner_cutting;
+mod doo_sabin;
+mod kobbelt;
 mod loop_scheme;
 mod uniform_splines;
 
+pub use catmull_clark::*;
 pub use corner_cutting::*;
+pub use doo_sabin::*;
+pub use kobbelt::*;
 pub use loop_scheme::*;
 pub use uniform_splines::*;
