@@ -119,13 +119,17 @@ impl Creases {
     /// The edges that are tagged as sharp.
     pub fn sharp_edges(&self) -> impl Iterator<Item = EdgeId> + '_ {
         let tagged = self.sharp.iter().enumerate();
-        tagged.filter_map(|(e, &sharp)| sharp.then(|| EdgeId::at(e)))
+        tagged
+            .filter(|(_, sharp)| **sharp)
+            .map(|(e, _)| EdgeId::at(e))
     }
 
     /// The vertices that are tagged as corners.
     pub fn corners(&self) -> impl Iterator<Item = VertexId> + '_ {
         let tagged = self.corner.iter().enumerate();
-        tagged.filter_map(|(v, &corner)| corner.then(|| VertexId::at(v)))
+        tagged
+            .filter(|(_, corner)| **corner)
+            .map(|(v, _)| VertexId::at(v))
     }
 
     /// The rule for the vertex point of `v`.

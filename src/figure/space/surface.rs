@@ -192,7 +192,7 @@ pub(in crate::figure) fn groups<'a>(
             (0..2).any(|k| boxes[i][1][k] <= boxes[j][0][k] || boxes[j][1][k] <= boxes[i][0][k]);
         let same_side = (a.cover == Cover::Back) == (b.cover == Cover::Back);
         let neighbours = || a.corners.iter().any(|v| b.corners.contains(v));
-        !apart && !(same_side && neighbours())
+        !(apart || same_side && neighbours())
     };
     let mut groups: Vec<Vec<usize>> = vec![];
     for (i, face) in faces.iter().enumerate() {

@@ -61,7 +61,7 @@ where
                         Err(error) => return refused(sides, &error),
                     };
                     let weight = whole(3) + whole(2) * wave;
-                    sum = sum + weight * corner.coordinates()[axis].clone();
+                    sum += weight * corner.coordinates()[axis].clone();
                 }
                 found.push(whole(4 * k) * x.clone());
                 expected.push(sum);
