@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use cagd::workbook::sandbox::Ending;
+use cagd::workbook::sandbox::{Ending, Limits};
 
 use super::support::{assert_ending, everywhere, said, trial};
 
@@ -108,11 +108,14 @@ fn many_files_are_too_much() {
 #[test]
 fn empty_files_and_files_out_of_sight_are_too_much() {
     everywhere(|sandbox| {
-        let run = trial(&["flood", "5000", "0"]).run(sandbox);
-        assert_ending(&run, Ending::TooMuchWritten);
+        // Each empty file counts 4096 bytes.
+        let mut flood = trial(&["flood", "300", "0"]);
+        flood.job.limits.scratch = 256 * 4096;
+        assert_ending(&flood.run(sandbox), Ending::TooMuchWritten);
         let run = trial(&["bury"]).run(sandbox);
         assert_ending(&run, Ending::TooMuchWritten);
-        let run = trial(&["hide", "1000", "1"]).run(sandbox);
-        assert_ending(&run, Ending::TooMuchMemory);
+        let mut hide = trial(&["hide", "1000", "1"]);
+        hide.job.limits.memory = Limits::LEAST_MEMORY;
+        assert_ending(&hide.run(sandbox), Ending::TooMuchMemory);
     });
 }

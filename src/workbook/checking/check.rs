@@ -179,6 +179,7 @@ impl Checker {
             diagnostics,
             tests: results.tests,
             misconception,
+            checklist: None,
             output: results.output,
             seconds: start.elapsed().as_secs_f64(),
         };

@@ -54,7 +54,7 @@ pub fn compile_answer(
     source: &Source,
     runner: &Runner,
 ) -> Result<Result<CompiledAnswer, Vec<Diagnostic>>, CheckingError> {
-    if let Some(diagnostic) = forbidden(source) {
+    if let Some(diagnostic) = refused_unseen(source) {
         return Ok(Err(vec![diagnostic]));
     }
     let folder = new_folder(library)?;
@@ -136,8 +136,9 @@ pub fn compile_tests(
 /// The words that no answer may use.
 const FORBIDDEN: [&str; 2] = ["unsafe", "extern"];
 
-/// Finds a word that no answer may use, wherever it stands, so that no macro can smuggle it in.
-fn forbidden(source: &Source) -> Option<Diagnostic> {
+/// What is wrong with an answer before it is compiled: there is nothing in it, or a word that no answer may use,
+/// wherever it stands, so that no macro can smuggle it in.
+fn refused_unseen(source: &Source) -> Option<Diagnostic> {
     let refused = |word: &str, line: usize| {
         let message = format!("`{word}` is not allowed in an answer");
         Diagnostic {
@@ -155,6 +156,19 @@ fn forbidden(source: &Source) -> Option<Diagnostic> {
             Some(refused(word, index + 1))
         });
     };
+    // Every test would miss its function, each with an error of its own.
+    if tokens.is_empty() {
+        let message = "the answer is empty".to_owned();
+        return Some(Diagnostic {
+            level: "error".into(),
+            rendered: format!(
+                "error: {message}\n --> {}\n = help: `cargo run -- reset` gives you the starter again\n",
+                source.shown_as
+            ),
+            message,
+            line: None,
+        });
+    }
     let mut streams = vec![tokens];
     while let Some(stream) = streams.pop() {
         for token in stream {

@@ -14,6 +14,10 @@ pub enum Outcome {
     Failed,
     /// The answer does not compile.
     DoesNotCompile,
+    /// An explanation, which its reader has not compared with the checklist yet.
+    Open,
+    /// An explanation, which its reader has compared with the checklist and calls done; no test has judged it.
+    SelfAssessed,
 }
 
 /// What the compiler says about a line.
@@ -97,6 +101,9 @@ pub struct Verdict {
     pub tests: Vec<TestResult>,
     /// What the answer seems to have misunderstood.
     pub misconception: Option<Misconception>,
+    /// The checklist of an explanation, in Markdown; none where tests judge.
+    #[serde(default)]
+    pub checklist: Option<String>,
     /// What the answer printed.
     pub output: String,
     /// How long compiling and running took.
@@ -104,6 +111,24 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// The verdict on an explanation: its reader's own.
+    pub fn self_assessed(exercise: ExerciseName, is_done: bool, checklist: &str) -> Self {
+        Self {
+            exercise,
+            outcome: if is_done {
+                Outcome::SelfAssessed
+            } else {
+                Outcome::Open
+            },
+            diagnostics: Vec::new(),
+            tests: Vec::new(),
+            misconception: None,
+            checklist: Some(checklist.to_owned()),
+            output: String::new(),
+            seconds: 0.0,
+        }
+    }
+
     /// Whether every test passed.
     pub fn passed(&self) -> bool {
         self.outcome == Outcome::Passed

@@ -1,24 +1,19 @@
 //! Checking an explanation: the reader compares, and says so.
 
-use serde::Serialize;
-
 use super::check::after_success;
 use super::desk::shown;
 use super::{CommandError, Desk, print, print_json};
 use crate::book::exercise::Exercise;
+use crate::workbook::checking::Verdict;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{CODE, FAINT, GOOD, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
 use crate::workbook::progress::now;
 
-/// What `check --json` prints for an explanation, which has no verdict but the reader's own.
-#[derive(Debug, Serialize)]
-struct Comparison<'a> {
-    exercise: String,
-    /// `passed` when the reader has compared, `open` before.
-    outcome: &'static str,
-    checklist: &'a str,
+/// The file with which an explanation begins.
+pub(super) fn sheet(exercise: &Exercise) -> String {
+    format!("# {}\n\nWrite your answer here.\n", exercise.front.title)
 }
 
 /// Shows the checklist, or marks the exercise as done.
@@ -32,6 +27,15 @@ pub(super) fn check(
     if !desk.is_begun(exercise) {
         let name = name.to_string();
         return Err(CommandError::NotBegun { name });
+    }
+    let answer = desk.answers.read(exercise)?.unwrap_or_default();
+    if done && (answer.trim().is_empty() || answer == sheet(exercise)) {
+        let file = shown(&desk.answers.file(exercise));
+        return Err(CommandError::Unfit(format!(
+            "there is no answer in `{}` yet\n\
+             next step: write yours, a few sentences will do, and compare it: `cargo run -- check {name}`",
+            file.display()
+        )));
     }
     let progress = desk.update(|progress| {
         progress.begun_last = Some(name.clone());
@@ -49,11 +53,7 @@ pub(super) fn check(
     let checklist = exercise.document.checklist.as_ref();
     let checklist = checklist.map_or("", |section| section.text.as_str());
     if json {
-        print_json(&Comparison {
-            exercise: name.to_string(),
-            outcome: if is_done { "passed" } else { "open" },
-            checklist,
-        })?;
+        print_json(&Verdict::self_assessed(name.clone(), is_done, checklist))?;
     } else if done {
         let title = paint(STRONG, &exercise.front.title);
         let mut text = format!("{} {title} is done.\n", paint(GOOD, "✓"));

@@ -51,6 +51,9 @@ impl Grade {
     /// The workbook or the submissions are not found, an exercise or hidden tests do not follow the schema, the
     /// system does not keep programs apart, or a check could not run.
     pub(crate) fn run(&self) -> Result<Outcome, Failure> {
+        for file in self.csv.iter().chain(&self.junit) {
+            must_be_writable(file)?;
+        }
         let root = house::find()?;
         let catalogue = Catalogue::load(&root)?;
         let packs = absolute_packs(&self.pack)?;
@@ -77,6 +80,15 @@ impl Grade {
                 first: submissions.remarks.first().cloned(),
             }
             .into());
+        }
+        for name in assignments
+            .iter()
+            .map(|assignment| &assignment.exercise.name)
+        {
+            let mut students = submissions.students.iter();
+            if !students.any(|student| student.answers.contains_key(name)) {
+                eprintln!("note: nobody has handed in an answer to `{name}`");
+            }
         }
         let checker = Checker::new(&root, isolation)?;
         for assignment in &assignments {
@@ -120,6 +132,19 @@ impl Grade {
     }
 }
 
+/// Tries whether a file that was asked for can be written, before anybody waits for what it will hold.
+pub(super) fn must_be_writable(file: &Path) -> Result<(), GradeError> {
+    let opened = File::options().create(true).append(true).open(file);
+    opened.map(drop).map_err(|e| cannot_write(file, &e))
+}
+
+fn cannot_write(file: &Path, error: &std::io::Error) -> GradeError {
+    GradeError::Output {
+        file: file.to_path_buf(),
+        reason: error.to_string(),
+    }
+}
+
 /// Writes a file that was asked for.
 pub(super) fn to_file(
     file: &Path,
@@ -127,8 +152,5 @@ pub(super) fn to_file(
 ) -> Result<(), GradeError> {
     File::create(file)
         .and_then(write)
-        .map_err(|e| GradeError::Output {
-            file: file.to_path_buf(),
-            reason: e.to_string(),
-        })
+        .map_err(|e| cannot_write(file, &e))
 }

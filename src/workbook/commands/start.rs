@@ -149,7 +149,7 @@ pub(super) fn begin(
     let starter = match (fresh, &exercise.tested) {
         (Some(fresh), _) => fresh.text.clone(),
         (None, Some(tested)) => tested.answer.starter.clone(),
-        (None, None) => format!("# {}\n\nWrite your answer here.\n", exercise.front.title),
+        (None, None) => super::explain::sheet(exercise),
     };
     let begun = desk.answers.begin(exercise, &starter)?;
     desk.update(|progress| {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::grade::to_file;
+use super::grade::{must_be_writable, to_file};
 use crate::book::catalogue::Catalogue;
 use crate::book::exercise::{Exercise, Exercises};
 use crate::workbook::checking::Checker;
@@ -48,6 +48,9 @@ impl Verify {
     ///
     /// The workbook is not found, an exercise does not follow the schema or is not there, or an answer cannot be run.
     pub(crate) fn run(&self) -> Result<Outcome, Failure> {
+        if let Some(file) = &self.junit {
+            must_be_writable(file)?;
+        }
         let root = house::find()?;
         let catalogue = Catalogue::load(&root)?;
         let exercises = Exercises::load(&root, &absolute_packs(&self.pack)?, &catalogue)?;

@@ -18,18 +18,39 @@ pub fn described(verdict: &Verdict, title: &str, picture: Option<&str>) -> Strin
         Outcome::DoesNotCompile => does_not_compile(verdict, &mut text),
         Outcome::Failed => failed(verdict, picture, &mut text),
         Outcome::Passed => passed(verdict, &mut text),
+        // An explanation is compared by its reader; `check` shows him the checklist instead.
+        Outcome::Open | Outcome::SelfAssessed => {}
     }
     if !verdict.output.trim().is_empty() {
-        let lines: Vec<&str> = verdict.output.trim_end().lines().collect();
+        let lines = collapsed(verdict.output.trim_end());
         text.push_str(&format!("\n{}\n", paint(FAINT, "Your answer printed:")));
         for line in lines.iter().take(PRINTED) {
-            text.push_str(&format!("  {}\n", without_controls(line)));
+            text.push_str(&format!("  {line}\n"));
         }
         if lines.len() > PRINTED {
             text.push_str(&format!("  … and {} lines more\n", lines.len() - PRINTED));
         }
     }
     text
+}
+
+/// The lines of a text; one that comes several times in a row stands once, with their number.
+fn collapsed(text: &str) -> Vec<String> {
+    let mut lines: Vec<(&str, usize)> = Vec::new();
+    for line in text.lines() {
+        match lines.last_mut() {
+            Some((last, count)) if *last == line => *count += 1,
+            _ => lines.push((line, 1)),
+        }
+    }
+    let shown = |(line, count): (&str, usize)| {
+        let line = without_controls(line);
+        match count {
+            1 => line,
+            _ => format!("{line}  ({count} times)"),
+        }
+    };
+    lines.into_iter().map(shown).collect()
 }
 
 /// What an answer prints must not paint or move the reader's cursor.
@@ -41,7 +62,7 @@ fn without_controls(line: &str) -> String {
 
 fn heading(verdict: &Verdict, title: &str) -> String {
     let (sign, style) = match verdict.outcome {
-        Outcome::Passed => ("✓", GOOD),
+        Outcome::Passed | Outcome::SelfAssessed => ("✓", GOOD),
         _ => ("✗", BAD),
     };
     format!(
@@ -240,4 +261,18 @@ fn passed(verdict: &Verdict, text: &mut String) {
 pub fn command(arguments: &str) -> String {
     let text = format!("`cargo run -- {arguments}`");
     paint(CODE, text.replace(' ', "\u{a0}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_that_is_repeated_stands_once() {
+        let text = "a\nmemory allocation failed\nmemory allocation failed\na\u{1b}";
+        assert_eq!(
+            collapsed(text),
+            ["a", "memory allocation failed  (2 times)", "a·"]
+        );
+    }
 }

@@ -207,7 +207,7 @@ fn held(file: &Path) -> Result<Held, ProgressError> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Held::Nothing),
         Err(e) => return Err(ProgressError::file(file)(e)),
     };
-    let broken = |e: serde_json::Error| Held::Unusable("broken".into(), e.to_string());
+    let broken = |e: serde_json::Error| Held::Unusable("broken".into(), in_words(&bytes, &e));
     // The version comes first: a newer format may look quite different.
     Ok(match serde_json::from_slice::<Versioned>(&bytes) {
         Ok(Versioned { version }) if version > VERSION => Held::Unusable(
@@ -219,6 +219,22 @@ fn held(file: &Path) -> Result<Held, ProgressError> {
         Ok(_) => serde_json::from_slice(&bytes).map_or_else(broken, Held::Progress),
         Err(e) => broken(e),
     })
+}
+
+/// What is wrong with a file, without the words of the parser.
+fn in_words(bytes: &[u8], error: &serde_json::Error) -> String {
+    use serde_json::error::Category;
+    let line = error.line();
+    if bytes.trim_ascii().is_empty() {
+        return "it is empty".into();
+    }
+    match error.classify() {
+        Category::Eof => format!("it breaks off in line {line}"),
+        Category::Syntax => format!("line {line} is no JSON"),
+        Category::Data | Category::Io => {
+            format!("line {line} does not fit a record of progress")
+        }
+    }
 }
 
 /// The text of the file.

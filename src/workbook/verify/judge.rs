@@ -290,13 +290,16 @@ impl Judge<'_> {
     fn test(&mut self, test: &TestReport) {
         let about = format!("test {}", test.name);
         let place = format!("{}:{}", self.tests_file(), test.line);
+        if test.why.as_ref().is_some_and(|why| !why.is_empty()) {
+            return;
+        }
         if test.rejects.is_empty() {
             let remedy = format!(
-                "let it claim something (`{place}`), or write the mutant that only it rejects"
+                "let it claim something (`{place}`), write the mutant that only it rejects, or say by `/// Why: …` above it why it is there"
             );
             let found = "it rejects neither the starter nor a mutant".to_owned();
             self.falls_short(&about, found, remedy, String::new());
-        } else if test.alone.is_empty() && test.why.as_ref().is_none_or(String::is_empty) {
+        } else if test.alone.is_empty() {
             let remedy = format!(
                 "say by `/// Why: …` above it why it is there (`{place}`), or write the mutant that only it rejects"
             );

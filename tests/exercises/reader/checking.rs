@@ -5,6 +5,7 @@ use std::process::Stdio;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
+use cagd::workbook::checking::{Outcome, Verdict};
 use cagd::workbook::sandbox::Limits;
 use serde_json::Value;
 
@@ -281,8 +282,26 @@ fn an_explanation_is_judged_by_the_reader() {
         .assert_says("[ ] the weights are not negative");
     run(&["solution"]).assert_says("λᵢ ≥ 0");
     run(&["watch"]).assert_status(2).assert_says("next step");
+    let verdict = || -> Verdict {
+        let json = reader.json(&["check", "--pack", pack]);
+        serde_json::from_value(json).expect("a verdict as of every other exercise")
+    };
+    assert_eq!(verdict().outcome, Outcome::Open);
+    let file = reader.path("bezier/near-polygon.md");
+    let sheet = std::fs::read_to_string(&file).expect("it was begun");
+    for empty in ["", "\n", &sheet] {
+        std::fs::write(&file, empty).expect("a file");
+        run(&["check", "bezier/near-polygon", "--done"])
+            .assert_status(2)
+            .assert_says("no answer")
+            .assert_says("next step");
+    }
+    std::fs::write(&file, "They are weights.").expect("a file");
     run(&["check", "bezier/near-polygon", "--done"]).assert_status(0);
     run(&["check"]).assert_status(0);
+    assert_eq!(verdict().outcome, Outcome::SelfAssessed);
+    let checklist = verdict().checklist.expect("an explanation has one");
+    assert!(checklist.contains("they sum to one"), "{checklist}");
     // Without the pack, nothing is lost.
     reader.run(&["list"]).assert_says("bezier/near-polygon");
     reader
@@ -382,4 +401,18 @@ fn watch_checks_whenever_the_answer_is_saved() {
     assert!(first.is_ok_and(|line| line.contains("\"outcome\":\"failed\"")));
     assert!(second.is_ok_and(|line| line.contains("\"outcome\":\"passed\"")));
     println!("from saving to the verdict: {seconds:.2} s");
+}
+
+#[test]
+fn an_empty_answer_is_one_error() {
+    let reader = Reader::begun();
+    for nothing in ["", "\n\n", "// nothing but words\n"] {
+        reader.write(nothing);
+        let verdict = reader.json(&["check"]);
+        assert_eq!(verdict["outcome"], "does_not_compile");
+        let errors = verdict["diagnostics"].as_array().expect("an array");
+        assert_eq!(errors.len(), 1, "{errors:?}");
+        assert_eq!(errors[0]["message"], "the answer is empty");
+        reader.run(&["check"]).assert_says("cargo run -- reset");
+    }
 }

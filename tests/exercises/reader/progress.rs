@@ -30,11 +30,9 @@ fn count(store: &Store) -> usize {
     count
 }
 
-#[test]
-#[ignore = "the process that `progress_survives_a_kill` starts and kills"]
-fn writes_until_it_is_killed() {
-    let folder = std::env::var(FOLDER).expect("it is started by the other test");
-    let store = Store::new(Path::new(&folder));
+/// What the process does that the test starts and kills.
+fn write_until_killed(folder: &Path) -> ! {
+    let store = Store::new(folder);
     let mut out = std::io::stdout();
     loop {
         let count = count(&store);
@@ -44,13 +42,17 @@ fn writes_until_it_is_killed() {
 
 #[test]
 fn progress_survives_a_kill() {
+    // The process that is killed is this very test, started with a folder.
+    if let Some(folder) = std::env::var_os(FOLDER) {
+        write_until_killed(Path::new(&folder));
+    }
     let folder = tempfile::tempdir().expect("a temporary folder");
     let store = Store::new(folder.path());
     let mut killed_while_writing = 0;
     for round in 0..60_u64 {
         let mut writer = Command::new(std::env::current_exe().expect("this program"))
-            .args(["--exact", "reader::progress::writes_until_it_is_killed"])
-            .args(["--ignored", "--nocapture", "--test-threads=1"])
+            .args(["--exact", "reader::progress::progress_survives_a_kill"])
+            .args(["--nocapture", "--test-threads=1"])
             .env(FOLDER, folder.path())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -176,6 +178,22 @@ fn progress_goes_to_another_computer() {
     let fresh = Reader::new();
     fresh.run(&["progress", "import", file]).assert_status(0);
     assert_eq!(fresh.item()["hints_shown"], 1);
-    let run = fresh.run(&["progress", "import", "Cargo.toml"]);
-    run.assert_status(2).assert_says("next step");
+    fresh.run(&["start", NAME]).assert_status(0);
+    let whole = fresh.read(FILE);
+    for (text, said) in [
+        (&whole[..whole.len() / 2], "it breaks off"),
+        ("[package]", "line 1 is no JSON"),
+        (
+            "{\"version\": 1, \"exercises\": 5}",
+            "line 1 does not fit a record of progress",
+        ),
+        ("", "it is empty"),
+    ] {
+        let file = fresh.path("broken.json");
+        fs::write(&file, text).expect("a file");
+        let run = fresh.run(&["progress", "import", file.to_str().expect("UTF-8")]);
+        run.assert_status(2)
+            .assert_says(said)
+            .assert_says("next step");
+    }
 }
