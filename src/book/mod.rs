@@ -38,7 +38,7 @@ pub mod page;
 mod pages;
 pub mod preprocessor;
 pub mod registry;
-mod site;
+pub(crate) mod site;
 pub mod tex;
 
 pub use build::{BuildReport, build};

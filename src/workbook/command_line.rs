@@ -19,6 +19,8 @@ use thiserror::Error;
 use super::checking;
 use super::live_figures::{self, LiveFiguresError};
 #[cfg(unix)]
+use super::practice;
+#[cfg(unix)]
 use super::sandbox::supervisor;
 use super::{commands, house, scaffold, watch};
 use crate::book::build::build_with;
@@ -149,7 +151,7 @@ pub(crate) enum Failure {
     Grade(#[from] super::grade::GradeError),
     #[cfg(unix)]
     #[error(transparent)]
-    Command(#[from] commands::CommandError),
+    Command(#[from] practice::PracticeError),
     #[error(transparent)]
     LiveFigures(#[from] LiveFiguresError),
     #[error("{0}")]
@@ -174,7 +176,7 @@ impl Failure {
         let error = match self {
             Self::Output(error) => error,
             #[cfg(unix)]
-            Self::Command(commands::CommandError::Output(error)) => error,
+            Self::Command(practice::PracticeError::Output(error)) => error,
             _ => return false,
         };
         error.kind() == std::io::ErrorKind::BrokenPipe

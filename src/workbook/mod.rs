@@ -3,6 +3,7 @@
 //! | module | is |
 //! |---|---|
 //! | [`answers`] | the reader's own answers, a small package |
+//! | [`practice`] | what a reader does with exercises, in the terminal and on the page |
 //! | [`progress`] | how far the reader is |
 //! | [`feedback`] | what a reader sees in the terminal |
 //! | [`checking`] | an answer is compiled, run and judged |
@@ -31,6 +32,8 @@ pub mod feedback;
 pub mod grade;
 pub mod house;
 pub mod live_figures;
+#[cfg(unix)]
+pub mod practice;
 #[cfg(unix)]
 pub mod progress;
 pub mod sandbox;

@@ -112,7 +112,7 @@ impl Judgement {
     }
 
     /// The cell to tell first: what is wrong comes before what is open, and what is computed first before the rest.
-    fn first<'c>(cells: &[&'c Cell]) -> Option<&'c Cell> {
+    pub(super) fn first<'c>(cells: &[&'c Cell]) -> Option<&'c Cell> {
         let is_wrong = |cell: &&&Cell| {
             matches!(
                 cell.verdict,
@@ -151,7 +151,11 @@ impl Tableau {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn judged(&self, text: &str) -> Result<Judgement, ReadingError> {
-        let filled = reading::read(self, text)?;
+        Ok(self.judgement(&reading::read(self, text)?))
+    }
+
+    /// Judges every cell of what was filled.
+    pub(super) fn judgement(&self, filled: &[Vec<Option<Entry>>]) -> Judgement {
         let rows = filled.iter().enumerate().map(|(row, entries)| {
             let cells = entries.iter().enumerate().map(|(column, entry)| {
                 let place = Place { row, column };
@@ -159,13 +163,14 @@ impl Tableau {
                     place,
                     label: self.label(place).to_owned(),
                     entry: entry.clone(),
-                    verdict: self.verdict(&filled, place),
+                    verdict: self.verdict(filled, place),
                 }
             });
             cells.collect()
         });
-        let rows = rows.collect();
-        Ok(Judgement { rows })
+        Judgement {
+            rows: rows.collect(),
+        }
     }
 
     fn verdict(&self, filled: &[Vec<Option<Entry>>], place: Place) -> Verdict {
@@ -330,6 +335,21 @@ impl Tableau {
             told = told.picture(|| self.picture(judgement, place.column));
         }
         told.holds(false, expected, found);
+    }
+
+    /// What is wrong with an entry: `b₀¹ = 3/4·4 + 1/4·8 = 5; 6 comes out if the two weights are exchanged`.
+    pub(super) fn correction(&self, judgement: &Judgement, cell: &Cell) -> String {
+        let Verdict::Wrong { follows, slip } = &cell.verdict else {
+            return String::new();
+        };
+        let entry = cell.entry.as_ref().map(ToString::to_string);
+        let found = match (entry, slip) {
+            (Some(entry), Some(slip)) => format!("; {entry} comes out if {slip}"),
+            (Some(entry), None) => format!(", not {entry}"),
+            (None, _) => String::new(),
+        };
+        let sum = self.sum(judgement, cell.place);
+        format!("{} = {sum} = {follows}{found}", cell.label)
     }
 
     /// `b₀¹ = 1, b₁¹ = 5`

@@ -17,6 +17,7 @@
 //! | [`Tableau`] | given entries and weights, and what follows from them |
 //! | [`Tableau::judged`] | what each cell of a reader's text is worth, as data |
 //! | [`Tableau::judge`], [`Tableau::judge_column`] | the same as claims, for the tests of an exercise |
+//! | [`sheet`] | a tableau to fill on a page |
 //! | [`Deal`], [`Dealer`] | a tableau with fresh numbers, and the answer file that asks for it |
 //!
 //! # Examples
@@ -43,6 +44,7 @@ mod deal;
 mod entry;
 mod judging;
 mod reading;
+pub mod sheet;
 
 use std::fmt;
 

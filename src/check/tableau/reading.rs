@@ -68,6 +68,38 @@ pub enum ReadingError {
     },
 }
 
+impl ReadingError {
+    /// The cell that cannot be read; none if it is about a whole row or table.
+    #[must_use]
+    pub fn place(&self) -> Option<Place> {
+        match self {
+            Self::RowCount { .. } | Self::EntryCount { .. } => None,
+            Self::Unreadable { place, .. }
+            | Self::DivisionByZero { place, .. }
+            | Self::Dimension { place, .. } => Some(*place),
+        }
+    }
+
+    /// The same in few words, where the reader sees which cell it is about.
+    pub(super) fn short(&self) -> String {
+        match self {
+            Self::Unreadable { text, .. } => {
+                format!("`{text}` cannot be read; write 3/4, -2 or, for a point, (1/2, 3)")
+            }
+            Self::DivisionByZero { text, .. } => format!("`{text}` divides by zero"),
+            Self::Dimension {
+                text, expected: 1, ..
+            } => {
+                format!("`{text}` is a point; a number belongs here")
+            }
+            Self::Dimension { text, expected, .. } => {
+                format!("`{text}` does not have {expected} coordinates")
+            }
+            Self::RowCount { .. } | Self::EntryCount { .. } => self.to_string(),
+        }
+    }
+}
+
 /// The cells of a text, row by row; `None` is an open one.
 pub(super) fn read(tableau: &Tableau, text: &str) -> Result<Vec<Vec<Option<Entry>>>, ReadingError> {
     let lines: Vec<&str> = text
@@ -88,28 +120,10 @@ pub(super) fn read(tableau: &Tableau, text: &str) -> Result<Vec<Vec<Option<Entry
 fn read_row(tableau: &Tableau, row: usize, line: &str) -> Result<Vec<Option<Entry>>, ReadingError> {
     let words = words(line);
     let entries = words.iter().enumerate().map(|(column, text)| {
-        let place = Place { row, column };
         if text == OPEN {
             return Ok(None);
         }
-        let text = text.clone();
-        let entry = match Entry::parse(&text) {
-            Ok(entry) => entry,
-            Err(NoEntry::NoFraction) => return Err(ReadingError::Unreadable { place, text }),
-            Err(NoEntry::DivisionByZero) => {
-                return Err(ReadingError::DivisionByZero { place, text });
-            }
-        };
-        let expected = tableau.rows[0][0].dimension();
-        if entry.dimension() != expected {
-            return Err(ReadingError::Dimension {
-                place,
-                expected,
-                found: entry.dimension(),
-                text,
-            });
-        }
-        Ok(Some(entry))
+        read_entry(tableau, Place { row, column }, text).map(Some)
     });
     // What cannot be read is told before a count that may be its consequence.
     let entries: Vec<Option<Entry>> = entries.collect::<Result<_, _>>()?;
@@ -123,8 +137,32 @@ fn read_row(tableau: &Tableau, row: usize, line: &str) -> Result<Vec<Option<Entr
     Ok(entries)
 }
 
+/// One entry.
+pub(super) fn read_entry(
+    tableau: &Tableau,
+    place: Place,
+    text: &str,
+) -> Result<Entry, ReadingError> {
+    let text = text.to_owned();
+    let entry = match Entry::parse(&text) {
+        Ok(entry) => entry,
+        Err(NoEntry::NoFraction) => return Err(ReadingError::Unreadable { place, text }),
+        Err(NoEntry::DivisionByZero) => return Err(ReadingError::DivisionByZero { place, text }),
+    };
+    let expected = tableau.rows[0][0].dimension();
+    if entry.dimension() != expected {
+        return Err(ReadingError::Dimension {
+            place,
+            expected,
+            found: entry.dimension(),
+            text,
+        });
+    }
+    Ok(entry)
+}
+
 /// The parts between spaces; those inside brackets separate nothing.
-fn words(line: &str) -> Vec<String> {
+pub(super) fn words(line: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut word = String::new();
     let mut is_inside = false;

@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::book::exercise::{Exercise, ExerciseName};
+use crate::workbook::durable;
 
 /// The folder of the answers, relative to the root of the workbook.
 pub const FOLDER: &str = "answers";
@@ -136,6 +137,16 @@ impl Answers {
             Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
             Err(e) => Err(AnswersError::file(&file)(e)),
         }
+    }
+
+    /// Puts `text` into the place of the answer, whole or not at all; the file may be new.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be written; the old answer is still there then.
+    pub fn write(&self, exercise: &Exercise, text: &str) -> Result<(), AnswersError> {
+        let file = self.file(exercise);
+        durable::replace(&file, text.as_bytes()).map_err(AnswersError::file(&file))
     }
 
     /// Puts the answer away under the next free number and returns where it is now; `None` if there is no answer.

@@ -1,29 +1,22 @@
 //! `check`: compiles and tests the reader's answer.
 
-use std::fs;
 use std::thread;
 
 use clap::Args;
 
-use super::desk::shown;
 use super::start::starter_changed;
-use super::{CommandError, Desk, Place, print, print_json};
+use super::{Desk, Place, PracticeError, print, print_json};
 use crate::book::exercise::{Exercise, Tested};
-use crate::workbook::checking::verdict::PictureStroke;
-use crate::workbook::checking::{Answer, Checker, Verdict};
+use crate::workbook::checking::{Checker, Verdict};
 use crate::workbook::command_line::Outcome;
-use crate::workbook::durable;
 use crate::workbook::feedback::paint::{CODE, STRONG, paint};
 use crate::workbook::feedback::patience::patiently;
 use crate::workbook::feedback::report::{command, described};
 use crate::workbook::feedback::{braille, markdown, picture, terminal};
-use crate::workbook::progress::{Progress, now};
+use crate::workbook::practice::check::keep_picture;
+use crate::workbook::practice::{self, shown};
+use crate::workbook::progress::Progress;
 use crate::workbook::sandbox::Isolation;
-
-/// The seed of the random input.
-///
-/// It stays the same, so that an input that fails is met again until the answer is mended.
-const SEED: u64 = 1;
 
 /// The arguments of `check`.
 #[derive(Debug, Args)]
@@ -46,7 +39,7 @@ impl Check {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         // How programs are kept apart is found out by trying, while the exercises are read.
         let desk = thread::scope(|scope| {
             scope.spawn(Isolation::best);
@@ -58,7 +51,7 @@ impl Check {
             return super::explain::check(&desk, exercise, self.done, self.json);
         };
         if self.done {
-            return Err(CommandError::Unfit(format!(
+            return Err(PracticeError::Unfit(format!(
                 "`{}` is judged by its tests; `--done` is for explanations\nnext step: `cargo run -- check {0}`",
                 exercise.name
             )));
@@ -83,7 +76,7 @@ impl Check {
 }
 
 /// What checks answers; the library is compiled if that is needed.
-pub(super) fn checker(desk: &Desk) -> Result<Checker, CommandError> {
+pub(super) fn checker(desk: &Desk) -> Result<Checker, PracticeError> {
     let what = "The library is compiled for your answers; this happens once";
     Ok(patiently(what, || {
         Checker::new(&desk.root, Isolation::best())
@@ -96,29 +89,10 @@ pub(super) fn check(
     exercise: &Exercise,
     tested: &Tested,
     checker: &Checker,
-) -> Result<Verdict, CommandError> {
-    let file = desk.answers.file(exercise);
-    let Some(text) = desk.answers.read(exercise)? else {
-        let name = exercise.name.to_string();
-        return Err(CommandError::NotBegun { name });
-    };
-    let answer = Answer {
-        shown_as: shown(&file).display().to_string(),
-        text,
-    };
-    let verdict = patiently("Your answer is compiled and tested", || {
-        checker.check(exercise, tested, &answer, SEED)
-    })?;
-    desk.update(|progress| {
-        progress.begun_last = Some(exercise.name.clone());
-        let entry = progress.entry(&exercise.name);
-        entry.begun.get_or_insert_with(now);
-        entry.checks += 1;
-        if verdict.passed() {
-            entry.solved.get_or_insert_with(now);
-        }
-    })?;
-    Ok(verdict)
+) -> Result<Verdict, PracticeError> {
+    patiently("Your answer is compiled and tested", || {
+        practice::check::check(desk, exercise, tested, checker)
+    })
 }
 
 /// All that the reader is told about a verdict.
@@ -129,17 +103,15 @@ pub(super) fn feedback(
     exercise: &Exercise,
     verdict: &Verdict,
     afterwards: &str,
-) -> Result<String, CommandError> {
+) -> Result<String, PracticeError> {
     let progress = desk.progress()?;
-    let strokes = verdict
-        .first_failure()
-        .and_then(|test| test.picture.as_deref())
-        .unwrap_or_default();
+    let strokes = picture::strokes(verdict);
     let drawn = terminal::can_draw()
         .then(|| braille::drawn(strokes, terminal::has_colours()))
         .flatten();
     let mut text = described(verdict, &exercise.front.title, drawn.as_deref());
-    if let Some(file) = save_picture(desk, exercise, strokes) {
+    if let Some(file) = keep_picture(desk, exercise, verdict) {
+        let file = shown(&file).display().to_string();
         text.push_str(&format!("\n  picture  {}\n", paint(CODE, file)));
     }
     if verdict.passed() {
@@ -161,20 +133,6 @@ pub(super) fn feedback(
         text.push_str(&format!("           or take a hint: {}\n", command("hint")));
     }
     Ok(text)
-}
-
-/// Draws the picture into a file and returns its name; a picture of an earlier check goes away.
-///
-/// A picture that cannot be drawn or saved is no reason to withhold the verdict.
-fn save_picture(desk: &Desk, exercise: &Exercise, strokes: &[PictureStroke]) -> Option<String> {
-    let file = desk.answers.picture(&exercise.name);
-    let drawn = picture::svg(&exercise.front.title, strokes).ok().flatten();
-    let Some(svg) = drawn else {
-        let _ = fs::remove_file(&file);
-        return None;
-    };
-    durable::replace(&file, svg.as_bytes()).ok()?;
-    Some(shown(&file).display().to_string())
 }
 
 /// What is worth knowing once it is solved, and what comes next.

@@ -3,12 +3,13 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::desk::about;
-use super::{CommandError, Place, print, print_json};
+use super::place::about;
+use super::{Place, PracticeError, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
+use crate::workbook::practice::hint::{self, Hints};
 
 /// The arguments of `hint`.
 #[derive(Debug, Args)]
@@ -27,7 +28,7 @@ pub struct Hint {
 
 /// What `hint --json` prints.
 #[derive(Debug, Serialize)]
-struct Hints<'a> {
+struct Shown<'a> {
     exercise: String,
     /// How many hints the reader has seen now.
     shown: usize,
@@ -43,19 +44,15 @@ impl Hint {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let progress = desk.progress()?;
         let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
         let hints = &exercise.document.hints;
-        let (before, now) = desk.update(|progress| {
-            let entry = progress.entry(&exercise.name);
-            let before = entry.hints.min(hints.len());
-            if !self.again {
-                entry.hints = (before + 1).min(hints.len());
-            }
-            (before, entry.hints.min(hints.len()))
-        })?;
+        let Hints { before, now, of } = match self.again {
+            true => hint::seen(&desk, exercise)?,
+            false => hint::take(&desk, exercise)?,
+        };
         // Where all have been seen, the last one is shown again.
         let first = match (self.again, before < now) {
             (true, _) => 0,
@@ -64,10 +61,10 @@ impl Hint {
         };
         if self.json {
             let seen = hints[first..now].iter();
-            print_json(&Hints {
+            print_json(&Shown {
                 exercise: exercise.name.to_string(),
                 shown: now,
-                of: hints.len(),
+                of,
                 hints: seen.map(|hint| hint.text.as_str()).collect(),
             })?;
             return Ok(Outcome::Fine);

@@ -4,7 +4,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
 
-use super::{CommandError, Desk, Place, print, print_json};
+use super::{Desk, Place, PracticeError, print, print_json};
 use crate::book::catalogue::CHAPTERS;
 use crate::book::exercise::{Exercise, ExerciseKind, ExerciseName};
 use crate::workbook::command_line::Outcome;
@@ -63,12 +63,12 @@ impl List {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         if let Some(id) = &self.statement
             && let Err(problem) = desk.catalogue.require(id)
         {
-            return Err(CommandError::Unfit(problem.to_string()));
+            return Err(PracticeError::Unfit(problem.to_string()));
         }
         let progress = desk.progress()?;
         let items: Vec<Item<'_>> = desk

@@ -19,10 +19,6 @@
 pub mod check;
 pub mod coverage;
 #[cfg(unix)]
-mod desk;
-#[cfg(unix)]
-mod error;
-#[cfg(unix)]
 mod explain;
 #[cfg(unix)]
 pub mod grade;
@@ -35,6 +31,8 @@ pub mod new;
 pub mod next;
 #[cfg(unix)]
 mod output;
+#[cfg(unix)]
+mod place;
 #[cfg(unix)]
 pub mod progress;
 #[cfg(unix)]
@@ -49,8 +47,9 @@ pub mod verify;
 pub mod watch;
 
 #[cfg(unix)]
-use desk::{Desk, Place};
-#[cfg(unix)]
-pub use error::CommandError;
-#[cfg(unix)]
 use output::{print, print_json};
+#[cfg(unix)]
+use place::Place;
+
+#[cfg(unix)]
+use super::practice::{Desk, PracticeError};

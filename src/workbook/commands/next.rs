@@ -3,11 +3,12 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::{CommandError, Desk, Place, print, print_json};
-use crate::book::exercise::{Exercise, ExerciseName};
+use super::{Desk, Place, PracticeError, print, print_json};
+use crate::book::exercise::ExerciseName;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{GOOD, paint, wrapped};
 use crate::workbook::feedback::report::command;
+use crate::workbook::practice::next::next;
 use crate::workbook::progress::Progress;
 
 /// The arguments of `next`.
@@ -35,7 +36,7 @@ impl Next {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let progress = desk.progress()?;
         if self.json {
@@ -50,26 +51,6 @@ impl Next {
         }
         Ok(Outcome::Fine)
     }
-}
-
-/// The exercise to do next: the one begun last if it is not solved, then the first whose prerequisites are solved,
-/// in the chapter of the one begun last if there is one.
-fn next<'a>(desk: &'a Desk, progress: &Progress) -> Option<&'a Exercise> {
-    let is_open = |exercise: &&Exercise| !progress.is_solved(&exercise.name);
-    let last = progress.begun_last.as_ref();
-    let last = last.and_then(|name| desk.exercises.get(name));
-    let is_ready = |exercise: &&Exercise| {
-        let needed = &exercise.front.prerequisites;
-        needed.iter().all(|name| progress.is_solved(name))
-    };
-    // Something is always ready while something is open: prerequisites do not go round in circles.
-    let ready = || desk.exercises.iter().filter(is_open).filter(is_ready);
-    let is_here = |exercise: &&Exercise| {
-        last.is_some_and(|last| last.name.chapter() == exercise.name.chapter())
-    };
-    last.filter(is_open)
-        .or_else(|| ready().find(is_here))
-        .or_else(|| ready().next())
 }
 
 /// What to do next, in words.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use serde::Serialize;
 
-use super::{CommandError, Place, print, print_json};
+use super::{Place, PracticeError, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, paint, wrapped};
 
@@ -48,7 +48,7 @@ impl Progress {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let (transfer, progress, what) = match self.direction {
             Direction::Export(transfer) => {
                 let progress = transfer.place.open()?.store.export(&transfer.file)?;

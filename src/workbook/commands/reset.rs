@@ -3,13 +3,11 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::desk::shown;
-use super::start::begin;
-use super::{CommandError, Place, print, print_json};
+use super::{Place, PracticeError, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, paint};
 use crate::workbook::feedback::report::command;
-use crate::workbook::progress::Entry;
+use crate::workbook::practice::{reset::reset, shown};
 
 /// The arguments of `reset`.
 #[derive(Debug, Args)]
@@ -38,15 +36,10 @@ impl Reset {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let exercise = desk.exercise(&self.name)?;
-        let Some(backup) = desk.answers.put_away(exercise)? else {
-            let name = exercise.name.to_string();
-            return Err(CommandError::NotBegun { name });
-        };
-        desk.update(|progress| *progress.entry(&exercise.name) = Entry::default())?;
-        begin(&desk, exercise, None)?;
+        let backup = reset(&desk, exercise)?;
         let file = shown(&desk.answers.file(exercise)).display().to_string();
         let backup = shown(&backup).display().to_string();
         if self.json {

@@ -3,14 +3,13 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::desk::about;
-use super::{CommandError, Place, print, print_json};
-use crate::book::exercise::Exercise;
-use crate::tableaux;
+use super::place::about;
+use super::{Place, PracticeError, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{FAINT, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
+use crate::workbook::practice::solution::{self, Asked};
 
 /// The arguments of `solution`.
 #[derive(Debug, Args)]
@@ -38,17 +37,15 @@ impl Solution {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let progress = desk.progress()?;
         let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
-        let (may_see, hints_seen, seed) = desk.update(|progress| {
-            let entry = progress.entry(&exercise.name);
-            let may_see = entry.solved.is_some() || entry.asked_for_solution;
-            entry.asked_for_solution |= entry.solved.is_none();
-            (may_see, entry.hints, entry.seed)
-        })?;
-        let source = source(exercise, seed);
+        let Asked {
+            may_see,
+            hints_left,
+            source,
+        } = solution::ask(&desk, exercise)?;
         if self.json {
             print_json(&Shown {
                 exercise: exercise.name.to_string(),
@@ -58,12 +55,11 @@ impl Solution {
         }
         let name = &exercise.name;
         if !may_see {
-            let left = exercise.document.hints.len().saturating_sub(hints_seen);
             let hint = command(&about("hint", exercise, &progress));
-            let hints = match left {
+            let hints = match hints_left {
                 0 => String::new(),
                 1 => format!("One hint is left: {hint}. "),
-                _ => format!("{left} hints are left: {hint}. "),
+                _ => format!("{hints_left} hints are left: {hint}. "),
             };
             let sentence = format!(
                 "You have not solved “{}” yet. {hints}If you want to see the solution all the same, ask once more: {}",
@@ -96,19 +92,5 @@ impl Solution {
         }
         print(&text)?;
         Ok(Outcome::Fine)
-    }
-}
-
-/// The solution as Rust, for the numbers that this reader was dealt, or the model answer in Markdown.
-fn source(exercise: &Exercise, seed: Option<u64>) -> String {
-    let tableau = exercise.front.tableau.as_ref();
-    let dealer = tableau.and_then(|name| tableaux::find(exercise.name.chapter(), name));
-    if let (Some(seed), Some(dealer)) = (seed, dealer) {
-        return (dealer.deal)(seed).solved_file();
-    }
-    match (&exercise.tested, &exercise.document.model_answer) {
-        (Some(tested), _) => tested.answer.solution.clone(),
-        (None, Some(answer)) => answer.text.clone(),
-        (None, None) => String::new(),
     }
 }

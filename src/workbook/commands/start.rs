@@ -1,19 +1,18 @@
 //! `start`: begins an exercise.
 
-use std::time::{SystemTime, UNIX_EPOCH};
-
 use clap::Args;
 use serde::Serialize;
 
-use super::desk::shown;
-use super::{CommandError, Desk, Place, print, print_json};
+use super::{Desk, Place, PracticeError, print, print_json};
 use crate::book::exercise::{Exercise, ExerciseKind};
 use crate::workbook::answers::Begun;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{ATTENTION, CODE, FAINT, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
-use crate::workbook::progress::{Entry, Progress, digest, now};
+use crate::workbook::practice::begin::{Fresh, any_seed, begin, begin_fresh};
+use crate::workbook::practice::shown;
+use crate::workbook::progress::Progress;
 
 /// The arguments of `start`.
 #[derive(Debug, Args)]
@@ -50,7 +49,7 @@ impl Start {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let exercise = desk.exercise(&self.name)?;
         let fresh = self
@@ -59,11 +58,10 @@ impl Start {
             .transpose()?;
         // The package is new with its first answer; then the reader is told how an editor completes in it.
         let is_first = !desk.answers.folder().join("Cargo.toml").is_file();
-        let backup = match fresh {
-            Some(_) => desk.answers.put_away(exercise)?,
-            None => None,
+        let (begun, backup) = match &fresh {
+            Some(fresh) => begin_fresh(&desk, exercise, fresh)?,
+            None => (begin(&desk, exercise, None)?, None),
         };
-        let begun = begin(&desk, exercise, fresh.as_ref())?;
         let file = shown(&desk.answers.file(exercise)).display().to_string();
         if self.json {
             print_json(&Started {
@@ -113,67 +111,6 @@ impl Start {
         print(&text)?;
         Ok(Outcome::Fine)
     }
-}
-
-/// A starter with fresh numbers.
-pub(super) struct Fresh {
-    seed: u64,
-    text: String,
-}
-
-impl Fresh {
-    fn deal(exercise: &Exercise, seed: u64) -> Result<Self, CommandError> {
-        match exercise.fresh_answer_file(seed) {
-            Some(text) => Ok(Self { seed, text }),
-            None => Err(CommandError::Unfit(format!(
-                "`{}` has no fresh numbers; only tableaux to compute by hand have\n\
-                 next step: start it without `--fresh`",
-                exercise.name
-            ))),
-        }
-    }
-}
-
-/// A seed that nobody has chosen; it is short, so that it can be passed on.
-fn any_seed() -> u64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(1, |time| u64::from(time.subsec_micros()) % 9999 + 1)
-}
-
-/// Makes the file of the answer and remembers that it was begun.
-pub(super) fn begin(
-    desk: &Desk,
-    exercise: &Exercise,
-    fresh: Option<&Fresh>,
-) -> Result<Begun, CommandError> {
-    let starter = match (fresh, &exercise.tested) {
-        (Some(fresh), _) => fresh.text.clone(),
-        (None, Some(tested)) => tested.answer.starter.clone(),
-        (None, None) => super::explain::sheet(exercise),
-    };
-    let begun = desk.answers.begin(exercise, &starter)?;
-    desk.update(|progress| {
-        progress.begun_last = Some(exercise.name.clone());
-        let entry = progress.entry(&exercise.name);
-        if begun == Begun::New {
-            *entry = Entry {
-                // Fresh numbers do not come from the starter.
-                starter: match fresh {
-                    None => exercise.tested.as_ref().map(|_| digest(&starter)),
-                    Some(_) => None,
-                },
-                seed: fresh.map(|fresh| fresh.seed),
-                // What was reached before the file went away stays true.
-                solved: entry.solved,
-                hints: entry.hints,
-                checks: entry.checks,
-                asked_for_solution: entry.asked_for_solution,
-                ..Entry::default()
-            };
-        }
-        entry.begun.get_or_insert_with(now);
-    })?;
-    Ok(begun)
 }
 
 /// The task with its heading.

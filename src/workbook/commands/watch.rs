@@ -9,12 +9,12 @@ use notify_debouncer_full::notify::RecursiveMode;
 use notify_debouncer_full::{DebounceEventResult, new_debouncer};
 
 use super::check::{check, checker, feedback};
-use super::desk::shown;
-use super::{CommandError, Desk, Place, print};
+use super::{Desk, Place, PracticeError, print};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::Checker;
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, FAINT, WIDTH, paint};
+use crate::workbook::practice::shown;
 
 /// How long a file must be quiet before it is read.
 ///
@@ -39,24 +39,24 @@ impl Watch {
     /// # Errors
     ///
     /// It could not run.
-    pub(crate) fn run(self) -> Result<Outcome, CommandError> {
+    pub(crate) fn run(self) -> Result<Outcome, PracticeError> {
         let desk = self.place.open()?;
         let progress = desk.progress()?;
         let exercise = desk.exercise_or_last(self.name.as_deref(), &progress)?;
         let name = &exercise.name;
         let Some(tested) = &exercise.tested else {
-            return Err(CommandError::Unfit(format!(
+            return Err(PracticeError::Unfit(format!(
                 "`{name}` is an explanation, which no test can judge\nnext step: `cargo run -- check {name}` shows what a good answer says"
             )));
         };
         let file = desk.answers.file(exercise);
         let Some(mut last) = desk.answers.read(exercise)? else {
             let name = name.to_string();
-            return Err(CommandError::NotBegun { name });
+            return Err(PracticeError::NotBegun { name });
         };
         let (sender, changes) = mpsc::channel();
         let unwatchable = |error| {
-            CommandError::Unfit(format!(
+            PracticeError::Unfit(format!(
                 "`{}` cannot be watched: {error}\nnext step: run `cargo run -- check` after each change",
                 shown(&file).display()
             ))
@@ -93,7 +93,7 @@ impl Watch {
         exercise: &Exercise,
         tested: &Tested,
         checker: &Checker,
-    ) -> Result<(), CommandError> {
+    ) -> Result<(), PracticeError> {
         let verdict = check(desk, exercise, tested, checker)?;
         if self.json {
             let line = serde_json::to_string(&verdict).map_err(io::Error::from)?;

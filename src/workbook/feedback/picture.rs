@@ -1,7 +1,20 @@
 //! The wrong curve beside the right one, as a figure of the house.
 
 use crate::figure::{Figure, FigureError, PointStyle, Style};
-use crate::workbook::checking::verdict::PictureStroke;
+use crate::workbook::checking::verdict::{PictureStroke, Verdict};
+
+/// The picture of what is wrong, as SVG; `None` if there is nothing to draw.
+pub fn of(verdict: &Verdict, title: &str) -> Option<String> {
+    svg(title, strokes(verdict)).ok().flatten()
+}
+
+/// The strokes that go with the first test that failed.
+pub fn strokes(verdict: &Verdict) -> &[PictureStroke] {
+    verdict
+        .first_failure()
+        .and_then(|test| test.picture.as_deref())
+        .unwrap_or_default()
+}
 
 /// A part of the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]

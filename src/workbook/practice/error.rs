@@ -1,4 +1,4 @@
-//! Why a command of the reader could not run.
+//! Why something that a reader wants cannot be done.
 
 use std::io;
 use std::path::PathBuf;
@@ -11,9 +11,9 @@ use crate::workbook::checking::CheckingError;
 use crate::workbook::house::NoHouse;
 use crate::workbook::progress::ProgressError;
 
-/// A command could not run.
+/// It could not be done; nothing was lost.
 #[derive(Debug, Error)]
-pub enum CommandError {
+pub enum PracticeError {
     /// There is no workbook here.
     #[error(transparent)]
     House(#[from] NoHouse),

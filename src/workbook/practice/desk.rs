@@ -1,29 +1,15 @@
-//! What every command of the reader works with: the exercises, the answers, the progress.
+//! What a reader works with: the exercises, the answers, the progress.
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-
-use super::CommandError;
+use super::PracticeError;
 use crate::book::catalogue::Catalogue;
 use crate::book::error::most_similar;
 use crate::book::exercise::{Exercise, ExerciseName, Exercises};
-use crate::workbook::answers::{self, Answers};
-use crate::workbook::house;
+use crate::workbook::answers::Answers;
 use crate::workbook::progress::{Entry, Progress, Store, digest};
 
-/// Where exercises and answers are.
-#[derive(Debug, Args)]
-pub struct Place {
-    /// A folder with more exercises, laid out like `book/exercises`; may be given again
-    #[arg(long = "pack", value_name = "DIR")]
-    packs: Vec<PathBuf>,
-    /// The folder of the answers, instead of `answers`
-    #[arg(long, value_name = "DIR", hide = true)]
-    answers: Option<PathBuf>,
-}
-
-/// Everything that a command of the reader works with.
+/// Everything that a reader works with.
 #[derive(Debug)]
 pub struct Desk {
     /// The root of the workbook.
@@ -38,51 +24,30 @@ pub struct Desk {
     pub store: Store,
 }
 
-impl Place {
-    /// Reads the exercises and finds the answers.
+impl Desk {
+    /// The desk of the workbook at `root`, with the exercises of these packs, and the answers in `folder`.
     ///
     /// # Errors
     ///
-    /// There is no workbook here, or the exercises have errors.
-    pub fn open(&self) -> Result<Desk, CommandError> {
-        let root = house::find()?;
-        let catalogue = Catalogue::load(&root)?;
-        // A folder on the command line is meant from where the reader stands.
-        let absolute = |path: &Path| std::path::absolute(path).map_err(CommandError::Output);
-        let packs = self
-            .packs
-            .iter()
-            .map(|pack| absolute(pack))
-            .collect::<Result<Vec<_>, _>>()?;
-        if let Some(missing) = packs.iter().find(|pack| !pack.is_dir()) {
-            let pack = missing.display();
-            let text = format!(
-                "there is no folder `{pack}`\nnext step: name the folder that holds the chapters of the pack"
-            );
-            return Err(CommandError::Unfit(text));
-        }
-        let exercises = Exercises::load(&root, &packs, &catalogue)?;
-        let folder = match &self.answers {
-            Some(folder) => absolute(folder)?,
-            None => root.join(answers::FOLDER),
-        };
-        Ok(Desk {
-            answers: Answers::new(&root, &folder),
-            store: Store::new(&folder),
-            root,
+    /// The exercises have errors.
+    pub fn open(root: &Path, packs: &[PathBuf], folder: &Path) -> Result<Self, PracticeError> {
+        let catalogue = Catalogue::load(root)?;
+        let exercises = Exercises::load(root, packs, &catalogue)?;
+        Ok(Self {
+            answers: Answers::new(root, folder),
+            store: Store::new(folder),
+            root: root.to_path_buf(),
             catalogue,
             exercises,
         })
     }
-}
 
-impl Desk {
     /// The exercise of this name; the chapter may be left out where the rest says which one is meant.
     ///
     /// # Errors
     ///
     /// There is none, with the most similar name.
-    pub fn exercise(&self, name: &str) -> Result<&Exercise, CommandError> {
+    pub fn exercise(&self, name: &str) -> Result<&Exercise, PracticeError> {
         let parsed = name.parse::<ExerciseName>().ok();
         if let Some(exercise) = parsed.as_ref().and_then(|name| self.exercises.get(name)) {
             return Ok(exercise);
@@ -95,7 +60,7 @@ impl Desk {
             return Ok(exercise);
         }
         if let Some(file) = parsed.and_then(|name| self.answers.any_file(&name)) {
-            return Err(CommandError::LeftTheBook {
+            return Err(PracticeError::LeftTheBook {
                 name: name.to_owned(),
                 file: shown(&file),
             });
@@ -106,7 +71,7 @@ impl Desk {
             let whole = self.exercises.iter().find(|e| e.name.name() == short)?;
             Some(whole.name.to_string())
         });
-        Err(CommandError::UnknownExercise {
+        Err(PracticeError::UnknownExercise {
             name: name.to_owned(),
             similar,
         })
@@ -121,11 +86,11 @@ impl Desk {
         &self,
         name: Option<&str>,
         progress: &Progress,
-    ) -> Result<&Exercise, CommandError> {
+    ) -> Result<&Exercise, PracticeError> {
         match (name, &progress.begun_last) {
             (Some(name), _) => self.exercise(name),
             (None, Some(last)) => self.exercise(&last.to_string()),
-            (None, None) => Err(CommandError::NothingBegun),
+            (None, None) => Err(PracticeError::NothingBegun),
         }
     }
 
@@ -134,7 +99,7 @@ impl Desk {
     /// # Errors
     ///
     /// The file cannot be read.
-    pub fn progress(&self) -> Result<Progress, CommandError> {
+    pub fn progress(&self) -> Result<Progress, PracticeError> {
         let (progress, notice) = self.store.read()?;
         tell(notice);
         Ok(progress)
@@ -145,7 +110,7 @@ impl Desk {
     /// # Errors
     ///
     /// The file cannot be read or written.
-    pub fn update<T>(&self, change: impl FnOnce(&mut Progress) -> T) -> Result<T, CommandError> {
+    pub fn update<T>(&self, change: impl FnOnce(&mut Progress) -> T) -> Result<T, PracticeError> {
         let (value, notice) = self.store.update(change)?;
         tell(notice);
         Ok(value)
@@ -162,15 +127,6 @@ impl Desk {
     /// Whether there is an answer, finished or not.
     pub fn is_begun(&self, exercise: &Exercise) -> bool {
         self.answers.file(exercise).is_file()
-    }
-}
-
-/// The arguments of the next command, such as `hint`: with the name where without it another exercise would be meant.
-pub fn about(command: &str, exercise: &Exercise, progress: &Progress) -> String {
-    if progress.begun_last.as_ref() == Some(&exercise.name) {
-        command.to_owned()
-    } else {
-        format!("{command} {}", exercise.name)
     }
 }
 

@@ -1,0 +1,62 @@
+//! Where exercises and answers are, and how a command names them.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::PracticeError;
+use crate::book::exercise::Exercise;
+use crate::workbook::answers;
+use crate::workbook::house;
+use crate::workbook::practice::Desk;
+use crate::workbook::progress::Progress;
+
+/// Where exercises and answers are.
+#[derive(Debug, Args)]
+pub struct Place {
+    /// A folder with more exercises, laid out like `book/exercises`; may be given again
+    #[arg(long = "pack", value_name = "DIR")]
+    packs: Vec<PathBuf>,
+    /// The folder of the answers, instead of `answers`
+    #[arg(long, value_name = "DIR", hide = true)]
+    answers: Option<PathBuf>,
+}
+
+impl Place {
+    /// Reads the exercises and finds the answers.
+    ///
+    /// # Errors
+    ///
+    /// There is no workbook here, or the exercises have errors.
+    pub fn open(&self) -> Result<Desk, PracticeError> {
+        let root = house::find()?;
+        // A folder on the command line is meant from where the reader stands.
+        let absolute = |path: &Path| std::path::absolute(path).map_err(PracticeError::Output);
+        let packs = self
+            .packs
+            .iter()
+            .map(|pack| absolute(pack))
+            .collect::<Result<Vec<_>, _>>()?;
+        if let Some(missing) = packs.iter().find(|pack| !pack.is_dir()) {
+            let pack = missing.display();
+            let text = format!(
+                "there is no folder `{pack}`\nnext step: name the folder that holds the chapters of the pack"
+            );
+            return Err(PracticeError::Unfit(text));
+        }
+        let folder = match &self.answers {
+            Some(folder) => absolute(folder)?,
+            None => root.join(answers::FOLDER),
+        };
+        Desk::open(&root, &packs, &folder)
+    }
+}
+
+/// The arguments of the next command, such as `hint`: with the name where without it another exercise would be meant.
+pub fn about(command: &str, exercise: &Exercise, progress: &Progress) -> String {
+    if progress.begun_last.as_ref() == Some(&exercise.name) {
+        command.to_owned()
+    } else {
+        format!("{command} {}", exercise.name)
+    }
+}
