@@ -30,13 +30,13 @@ pub fn find(chapter: &str, name: &str) -> Option<Dealer> {
 /// Answers a question of a page; what is wrong with it is part of the answer.
 ///
 /// A page asks with a text and is answered with a text, whether the answer comes from wasm or from the local server.
-/// The question names the chapter, the tableau and the round; a line for each row follows, its fields between tabs.
+/// The question names the chapter, the tableau and the round; a line for each row follows, its fields between tabs (here ⇥).
 /// Without rows it asks for the empty table.
 ///
 /// ```text
 /// tableau bezier cubic 0
 /// (0, 0)
-/// (8, 16)	(6, 12)
+/// (8, 16)⇥(6, 12)
 /// ```
 ///
 /// The answer has one fact a line, its fields between tabs: those of [`sheet::described`], or `error` and why there is
