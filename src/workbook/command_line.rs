@@ -47,6 +47,9 @@ struct Serve {
     /// Open the book in the browser
     #[arg(long)]
     open: bool,
+    /// The folder of the answers, instead of `answers`
+    #[arg(long, value_name = "DIR", hide = true)]
+    answers: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -215,7 +218,13 @@ pub fn run() -> ExitCode {
 fn execute(line: CommandLine) -> Result<Outcome, Failure> {
     match line.command {
         None => {
-            watch::serve(&house::find()?, line.serve.port, line.serve.open)?;
+            let Serve {
+                port,
+                open,
+                answers,
+            } = line.serve;
+            let answers = answers.map(std::path::absolute).transpose()?;
+            watch::serve(&house::find()?, port, open, answers.as_deref())?;
             Ok(Outcome::Fine)
         }
         Some(Command::Build {

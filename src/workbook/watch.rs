@@ -47,12 +47,12 @@ pub enum ServeError {
 
 /// Builds the book, serves it on `127.0.0.1:port` and follows the edits until Ctrl-C.
 ///
-/// `open` shows it in the browser. A book with errors does not end the server.
+/// `open` shows it in the browser; `answers` is another folder of answers than that of the workbook. A book with errors does not end the server.
 ///
 /// # Errors
 ///
 /// [`ServeError`] if the port cannot be had or the sources cannot be watched.
-pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
+pub fn serve(root: &Path, port: u16, open: bool, answers: Option<&Path>) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
@@ -63,10 +63,12 @@ pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
     let token = Token::for_this_start()?;
     let link = format!("http://{address}/?token={}", token.text());
 
-    let (workshop, state) = Workshop::open(root, address.port(), token.clone());
+    let (mut workshop, state) = Workshop::open(root, address.port(), token.clone());
+    workshop.answers = answers.map(Path::to_path_buf);
     let served = Book {
         root: root.to_path_buf(),
         folder: workshop.out.clone(),
+        answers: answers.map_or_else(|| root.join("answers"), Path::to_path_buf),
         state,
         token,
     };
@@ -83,7 +85,6 @@ pub fn serve(root: &Path, port: u16, open: bool) -> Result<(), ServeError> {
     // Not its subfolders: the build's own output lies there.
     debouncer.watch(root, RecursiveMode::NonRecursive)?;
 
-    let mut workshop = workshop;
     workshop.build_book();
     println!("The book is open, and follows your edits, at\n\n    {link}\n");
     println!(
@@ -108,6 +109,8 @@ struct Workshop {
     out: PathBuf,
     port: u16,
     token: Token,
+    /// The folder of answers that was asked for.
+    answers: Option<PathBuf>,
     /// The program as it was started; the path stays right when Cargo replaces the file.
     program: Option<PathBuf>,
     /// Differs between runs of the server, so that a page notices a restart.
@@ -128,6 +131,7 @@ impl Workshop {
             out: root.join("target/served-book"),
             port,
             token,
+            answers: None,
             program: std::env::current_exe().ok(),
             run: started.map_or(0, |time| time.as_millis()),
             builds: 0,
@@ -250,7 +254,11 @@ impl Workshop {
             Ok(()) => {
                 self.program_error = None;
                 let port = OsString::from(self.port.to_string());
-                let reason = become_program(&program, &["--port".into(), port], &self.token);
+                let mut arguments = vec!["--port".into(), port];
+                if let Some(answers) = &self.answers {
+                    arguments.extend(["--answers".into(), answers.into()]);
+                }
+                let reason = become_program(&program, &arguments, &self.token);
                 eprintln!("{reason}; stop this program and run `cargo run` again.");
                 true
             }

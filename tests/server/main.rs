@@ -1,4 +1,5 @@
 //! The server: who gets in, what runs, and that nothing keeps the book from being read.
 
+mod exercises;
 mod guard;
 mod support;

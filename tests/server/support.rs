@@ -46,6 +46,7 @@ impl Server {
         let book = Book {
             root: Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf(),
             folder: pages,
+            answers: folder.path().join("answers"),
             state,
             token: token.clone(),
         };
@@ -66,6 +67,11 @@ impl Server {
             folder,
             _state: sender,
         }
+    }
+
+    /// The folder of the reader's answers.
+    pub(crate) fn answers(&self) -> std::path::PathBuf {
+        self.folder.path().join("answers")
     }
 
     /// A file of the built book.

@@ -65,10 +65,12 @@ pub(crate) fn exercise_html(site: &Site<'_>, address: &str, exercise: &Exercise)
     } = &exercise.document;
     let anchor = exercise_anchor(&exercise.name);
     let mut html = format!(
-        "<section class=\"practice\" id=\"{anchor}\" data-exercise=\"{}\">\n\
+        "<section class=\"practice\" id=\"{anchor}\" data-exercise=\"{}\" data-kind=\"{}\"{}>\n\
          <h3 class=\"practice-head\" id=\"{anchor}--title\">{} <a class=\"permalink\" href=\"#{anchor}\" aria-label=\"Link to this exercise\"></a></h3>\n\
          {}\n\n{}\n\n",
         exercise.name,
+        exercise.front.kind.name(),
+        tableau(exercise),
         title_html(&exercise.front.title),
         facts(site, address, exercise),
         markdown(task),
@@ -90,10 +92,11 @@ pub(crate) fn exercise_html(site: &Site<'_>, address: &str, exercise: &Exercise)
         }
         if let Some(model_answer) = model_answer {
             let title = "Model answer";
-            html.push_str(&folded("solution", title, &markdown(model_answer)));
+            html.push_str(&folded("model solution", title, &markdown(model_answer)));
         }
         if let Some(afterwards) = afterwards {
-            html.push_str(&folded("solution", "Afterwards", &markdown(afterwards)));
+            let title = "Afterwards";
+            html.push_str(&folded("afterwards solution", title, &markdown(afterwards)));
         }
     }
     if let Some(checklist) = checklist {
@@ -105,6 +108,14 @@ pub(crate) fn exercise_html(site: &Site<'_>, address: &str, exercise: &Exercise)
     }
     html.push_str("</section>\n\n");
     html
+}
+
+/// The tableau that a script makes a table of, for a reader who computes by hand.
+fn tableau(exercise: &Exercise) -> String {
+    let name = exercise.front.tableau.as_ref();
+    name.map_or_else(String::new, |name| {
+        format!(" data-tableau=\"{} {name}\"", exercise.name.chapter())
+    })
 }
 
 /// The lines under the title: what kind, how hard, how long, what it trains, how to begin.

@@ -8,6 +8,7 @@
 //! | [`check`] | an answer is judged, and how it ended is remembered |
 //! | [`hint`] | one more hint each time |
 //! | [`solution`] | the solution, once the exercise is solved or when it is asked for twice |
+//! | [`standing`] | all that the page has to know of it |
 //! | [`reset`] | an exercise is begun anew, and the answer is kept |
 //! | [`next`] | what to do next |
 //!
@@ -22,6 +23,7 @@ pub mod next;
 pub mod reset;
 pub mod save;
 pub mod solution;
+pub mod standing;
 
 pub use desk::{Desk, shown};
 pub use error::PracticeError;

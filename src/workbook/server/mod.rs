@@ -9,6 +9,7 @@
 //! | `figure` | a figure is drawn with the reader's values |
 //! | [`token`], `entrance` | the link that lets a reader in, exchanged for a cookie |
 //! | [`guard`] | who may ask for what |
+//! | [`exercise`] | what a reader does with an exercise |
 //! | [`queue`] | two programs run at once, the others wait |
 //!
 //! ```text
@@ -35,6 +36,8 @@
 
 pub mod address;
 mod entrance;
+#[cfg(unix)]
+pub mod exercise;
 mod figure;
 pub mod guard;
 mod news;
@@ -68,6 +71,8 @@ pub struct Book {
     pub root: PathBuf,
     /// The folder of the built pages.
     pub folder: PathBuf,
+    /// The folder of the reader's answers.
+    pub answers: PathBuf,
     /// What pages are told about it.
     pub state: watch::Receiver<State>,
     /// What lets a reader in.
@@ -81,6 +86,9 @@ pub struct Site {
     pub root: Arc<PathBuf>,
     /// Where programs wait for their turn.
     pub queue: Queue,
+    /// The exercises and the reader's answers.
+    #[cfg(unix)]
+    pub desks: exercise::Desks,
     state: watch::Receiver<State>,
     stopped: watch::Receiver<bool>,
     token: Token,
@@ -99,12 +107,20 @@ impl Site {
         Self {
             root: Arc::new(book.root.clone()),
             queue: Queue::new(stopped.clone()),
+            #[cfg(unix)]
+            desks: exercise::Desks::new(&book.root, &book.answers, &book.folder),
             state: book.state.clone(),
             stopped,
             token: book.token.clone(),
             port,
             hosts: Arc::new(hosts),
         }
+    }
+
+    /// The build of the book that is served; it changes with the sources.
+    #[cfg(unix)]
+    fn build(&self) -> String {
+        self.state.borrow().news.clone()
     }
 
     /// Whether a request brings the token.
@@ -146,11 +162,14 @@ pub async fn ctrl_c() {
 
 /// What runs code, writes files or shows answers.
 fn routes_of_the_reader() -> Router<Site> {
-    Router::new().route(
+    let routes = Router::new().route(
         "/__workbook/reader",
         // Whether the token that a page has is still the right one.
         get(|| async { axum::http::StatusCode::NO_CONTENT }),
-    )
+    );
+    #[cfg(unix)]
+    let routes = routes.merge(exercise::routes());
+    routes
 }
 
 fn routes(site: &Site, book: &Book) -> Router {
