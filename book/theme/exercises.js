@@ -239,6 +239,7 @@
 
         /** Hears how the reader stands: at first, and whenever the file or the progress has changed. */
         take(standing) {
+            this.recover(standing);
             const isFirst = this.standing === null;
             const wasDirty = this.isDirty();
             const before = this.view?.value();
@@ -281,6 +282,18 @@
             if (!same(before, theirs)) {
                 this.tell('Taken over from ' + standing.file + ', which has changed.');
             }
+        }
+
+        /** A check that broke off may have saved the answer before: then the file holds what was sent. */
+        recover(standing) {
+            const View = standing.tableau ? TableView : TextView;
+            if (!this.lost || !same(this.lost, View.valueOf(standing))) {
+                return false;
+            }
+            this.saved = this.lost;
+            this.base = standing.digest;
+            this.lost = null;
+            return true;
         }
 
         /** Shows the facts that depend on no text. */
@@ -376,7 +389,11 @@
             this.checkButton.textContent = 'Stop';
             this.tell(words);
             try {
-                const reply = await this.post(what, { ...sent, base: this.base, replace });
+                let reply = await this.post(what, { ...sent, base: this.base, replace });
+                if (reply.conflict && this.recover(reply.standing)) {
+                    reply = await this.post(what, { ...sent, base: this.base, replace });
+                }
+                this.lost = null;
                 const isUnread = reply.tableau && !reply.verdict && what === 'check';
                 if (!reply.conflict && !isUnread) {
                     this.saved = sent;
@@ -392,6 +409,7 @@
                 }
                 return reply;
             } catch (error) {
+                this.lost = sent;
                 this.tell(error.name === 'AbortError' ? 'Stopped.' : error.message, error.name !== 'AbortError');
                 return null;
             } finally {

@@ -1,4 +1,4 @@
-//! The figures for pages: compiled to wasm, it is what a page without a server asks.
+//! The figures and tableaux for pages: compiled to wasm, it is what a page without a server asks.
 //!
 //! The page asks for room for its question, writes it there, and reads the answer where it is told. Both texts stay
 //! until the next question. On other targets there is nothing to run.
@@ -26,7 +26,11 @@ pub extern "C" fn question(length: usize) -> *const u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> usize {
     let question = QUESTION.lock().unwrap_or_else(PoisonError::into_inner);
-    let text = cagd::live::answer(&String::from_utf8_lossy(&question));
+    let question = String::from_utf8_lossy(&question);
+    let text = match question.starts_with("tableau ") {
+        true => cagd::tableaux::answer(&question),
+        false => cagd::live::answer(&question),
+    };
     let length = text.len();
     *ANSWER.lock().unwrap_or_else(PoisonError::into_inner) = text;
     length

@@ -12,6 +12,7 @@ pub(super) fn page(site: &Site<'_>) -> Generated {
     let mut content = format!(
         "# Exercises\n\n\
          {total} exercises, each at the end of the page that it belongs to.\n\
+         Served by `cargo run`, each has an editor and is checked on its page.\n\
          In a terminal, `cargo run -- list` shows them with your progress, and `cargo run -- start NAME` begins one.\n\n"
     );
     let mut homeless = String::new();
