@@ -43,30 +43,7 @@
         return response;
     }
 
-    // ---- What is not saved yet ----
-
-    const keyOf = name => 'workbook-draft:' + name;
-
-    function readDraft(name) {
-        try {
-            return JSON.parse(localStorage.getItem(keyOf(name)));
-        } catch {
-            return null;
-        }
-    }
-
-    /** Keeps a draft; without one it is forgotten. A browser may refuse to keep anything, and nothing else depends on it. */
-    function keepDraft(name, draft) {
-        try {
-            if (draft) {
-                localStorage.setItem(keyOf(name), JSON.stringify(draft));
-            } else {
-                localStorage.removeItem(keyOf(name));
-            }
-        } catch {
-            // The text is still in its field.
-        }
-    }
+    const { readDraft, keepDraft, keyOf } = window.workbookDrafts;
 
     // ---- The answer as text ----
 
@@ -216,6 +193,9 @@
                 return;
             }
             const draft = JSON.parse(text);
+            if (draft.value.round !== this.view.value().round) {
+                return;
+            }
             this.view.set(draft.value);
             this.base = draft.base;
             this.tell('You are writing this in another tab.');
@@ -251,7 +231,8 @@
                 this.base = standing.digest;
                 this.saved = this.view.value();
                 const draft = readDraft(this.name);
-                if (draft?.value && !same(draft.value, theirs)) {
+                // What was typed for other numbers fits no table of these.
+                if (draft?.value && draft.value.round === theirs.round && !same(draft.value, theirs)) {
                     this.view.set(draft.value);
                     if (this.isDirty()) {
                         this.base = draft.base ?? null;
@@ -298,7 +279,7 @@
 
         /** Shows the facts that depend on no text. */
         facts() {
-            const { solved, digest, hints, starter_changed: changed, may_see_solution: maySee, file } = this.standing;
+            const { solved, digest, hints, starter_changed: changed, file } = this.standing;
             this.state.textContent = solved ? '✓ solved' : digest !== null ? 'begun' : '';
             this.state.classList.toggle('solved', solved);
             this.summary.textContent = digest === null ? 'Write your answer' : 'Your answer';
@@ -321,9 +302,10 @@
                 this.solution.hidden = true;
             }
             if (this.checklist) {
-                this.checklist.hidden = !maySee;
-                this.solution.hidden = !maySee;
-                this.doneButton.hidden = !maySee || solved;
+                const isOpen = solved || this.compared || this.solutionShown;
+                this.checklist.hidden = !isOpen;
+                this.solution.hidden = !isOpen;
+                this.doneButton.hidden = !isOpen || solved;
             }
             this.note ??= this.section.insertBefore(element('p', { className: 'practice-note', hidden: true }), this.fold);
             this.note.hidden = !changed;
@@ -372,7 +354,9 @@
                 this.view.set(mine);
                 this.changed();
             });
-            this.tell(['Your own text is put aside until you leave the page. ', back]);
+            if (mine.round === theirs.round) {
+                this.tell(['Your own text is put aside until you leave the page. ', back]);
+            }
         }
 
         // -- What the buttons do --
@@ -453,6 +437,8 @@
                 return;
             }
             if (this.kind === 'explain') {
+                this.compared = true;
+                this.facts();
                 this.checklist.open = true;
                 this.tell('Compare yours with what a good answer says, below.');
                 return;
@@ -571,6 +557,7 @@
             }
             await this.quietly(what, reply => {
                 this.solutionShown = false;
+                this.compared = false;
                 this.dealt?.remove();
                 this.verdict.hidden = true;
                 this.saved = this.view.value();

@@ -33,6 +33,7 @@ fn an_exercise_stands_at_the_end_of_the_page_of_its_statement() {
     assert!(statement < exercise);
     for part in [
         "Half of it",
+        "data-kind=\"implement\"",
         "difficulty 2 of 5",
         "cargo run -- start bezier/half",
         "<summary>Hint 3</summary>",

@@ -112,6 +112,37 @@ fn a_save_that_has_not_seen_the_file_writes_nothing() {
 }
 
 #[test]
+fn of_many_tabs_that_save_at_once_one_writes_and_the_others_are_warned() {
+    let server = Server::start();
+    let first = post(&server, NAME, "save", &json!({ "text": "// first\n" }));
+    let base = &first["standing"]["digest"];
+    let replies: Vec<(String, Value)> = std::thread::scope(|scope| {
+        let tabs: Vec<_> = (0..8)
+            .map(|tab| {
+                let server = &server;
+                scope.spawn(move || {
+                    let text = format!("// tab {tab}\n");
+                    let body = json!({ "text": text, "base": base });
+                    let reply = post(server, NAME, "save", &body);
+                    (text, reply)
+                })
+            })
+            .collect();
+        tabs.into_iter()
+            .map(|tab| tab.join().expect("it ends"))
+            .collect()
+    });
+    let written: Vec<&String> = replies
+        .iter()
+        .filter(|(_, reply)| reply["conflict"] == false)
+        .map(|(text, _)| text)
+        .collect();
+    assert_eq!(written.len(), 1, "{written:?}");
+    let there = fs::read_to_string(file(&server, "bezier/parabola-point.rs"));
+    assert_eq!(&there.expect("a file"), written[0]);
+}
+
+#[test]
 fn a_check_saves_judges_and_remembers() {
     let server = Server::start();
     let begun = standing(&server, NAME);
