@@ -36,10 +36,24 @@ fn file(server: &Server, name: &str) -> std::path::PathBuf {
     server.answers().join(name)
 }
 
-fn solution(name: &str) -> String {
+fn exercises() -> Exercises {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let catalogue = Catalogue::load(root).expect("the catalogue loads");
-    let exercises = Exercises::load(root, &[], &catalogue).expect("the exercises load");
+    Exercises::load(root, &[], &catalogue).expect("the exercises load")
+}
+
+/// The names of the exercises of a chapter.
+fn names(chapter: &str) -> Vec<String> {
+    let exercises = exercises();
+    let names = exercises.iter().map(|exercise| &exercise.name);
+    names
+        .filter(|name| name.chapter() == chapter)
+        .map(|name| name.name().to_owned())
+        .collect()
+}
+
+fn solution(name: &str) -> String {
+    let exercises = exercises();
     let name = name.parse().expect("a name");
     let exercise = exercises.get(&name).expect("it is in the book");
     let tested = exercise.tested.as_ref().expect("it has tests");
@@ -145,6 +159,12 @@ fn of_many_tabs_that_save_at_once_one_writes_and_the_others_are_warned() {
 #[test]
 fn a_check_saves_judges_and_remembers() {
     let server = Server::start();
+    let page = "<section class=\"practice\" id=\"exercise--bezier--NAME\"></section>";
+    let sections: String = names("bezier")
+        .iter()
+        .map(|name| page.replace("NAME", name))
+        .collect();
+    fs::write(server.path("bezier/practice.html"), sections).expect("a page");
     let begun = standing(&server, NAME);
     let starter = begun["text"].as_str().expect("a starter");
     let failed = post(&server, NAME, "check", &json!({ "text": starter }));
@@ -162,7 +182,11 @@ fn a_check_saves_judges_and_remembers() {
     let passed = post(&server, NAME, "check", &right);
     assert_eq!(passed["verdict"]["outcome"], "passed", "{passed}");
     assert_eq!(passed["standing"]["solved"], true);
-    assert!(passed["next"]["title"].is_string(), "{passed}");
+    let address = passed["next"]["address"].as_str().expect("an address");
+    assert!(
+        address.starts_with("bezier/practice.html#exercise--bezier--"),
+        "{address}"
+    );
     let progress = fs::read_to_string(file(&server, "progress.json")).expect("a file");
     let progress: Value = serde_json::from_str(&progress).expect("it is JSON");
     assert_eq!(progress["begun_last"], NAME);
