@@ -63,3 +63,12 @@ pub use loop_scheme::{
 pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
 pub use scheme_kind::SchemeKind;
+
+/// The chapter's pages, so that `cargo test` runs each of their Rust blocks.
+#[cfg(doctest)]
+mod chapter {
+    #[doc = include_str!("../../book/src/subdivision/corner-cutting.md")]
+    mod corner_cutting {}
+    #[doc = include_str!("../../book/src/subdivision/uniform-splines.md")]
+    mod uniform_splines {}
+}

@@ -2,12 +2,14 @@
 //!
 //! A page shows what a function gives by `{{#computed subdivision NAME}}`.
 
+mod corner_cutting;
+mod uniform_splines;
+
 /// A function of this chapter by its name.
 pub type Computed = (&'static str, fn() -> String);
 
 /// Everything that the pages of the chapter can show.
 #[must_use]
 pub fn all() -> Vec<Computed> {
-    let sections: [&[Computed]; 0] = [];
-    sections.concat()
+    [corner_cutting::ALL, uniform_splines::ALL].concat()
 }
