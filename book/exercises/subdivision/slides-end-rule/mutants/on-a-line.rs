@@ -1,0 +1,6 @@
+//! misconception: with equal steps between the values nothing can go wrong at the far end
+
+/// The control values.
+pub fn counterexample() -> Vec<i64> {
+    vec![0, 3, 6, 9]
+}
