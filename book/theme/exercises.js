@@ -26,23 +26,6 @@
     };
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-    // ---- Asking the server ----
-
-    async function answered(request) {
-        let response;
-        try {
-            response = await request;
-        } catch (error) {
-            throw error.name === 'AbortError'
-                ? error
-                : new Error('The server does not answer. What you have written is kept in this browser.');
-        }
-        if (!response.ok) {
-            throw new Error(await response.text());
-        }
-        return response;
-    }
-
     const { readDraft, keepDraft, keyOf } = window.workbookDrafts;
 
     // ---- The answer as text ----
@@ -76,7 +59,7 @@
         }
     }
 
-    const { readFacts, TableView, askForTable } = window.workbookTable;
+    const { answered, readFacts, TableView, askForTable } = window.workbookTable;
 
     // ---- One exercise ----
 
@@ -277,6 +260,25 @@
             return true;
         }
 
+        /** Between the saving and the reply somebody else may have written: then the reply holds his text. */
+        overtaken(sent) {
+            const theirs = (this.standing.tableau ? TableView : TextView).valueOf(this.standing);
+            // A table comes back with other blanks.
+            const plain = value => JSON.stringify(value.fields ?? value).replace(value.fields ? /\s/g : '', '');
+            if (plain(theirs) === plain(sent)) {
+                return;
+            }
+            if (this.isDirty()) {
+                this.base = 'overtaken';
+                this.clash();
+                return;
+            }
+            this.viewFor(this.standing);
+            this.view.set(theirs);
+            this.saved = this.view.value();
+            this.tell('Taken over from ' + this.standing.file + ', which has changed.');
+        }
+
         /** Shows the facts that depend on no text. */
         facts() {
             const { solved, digest, hints, starter_changed: changed, file } = this.standing;
@@ -383,13 +385,15 @@
                     this.saved = sent;
                     this.base = reply.standing.digest;
                     this.settle();
-                    keepDraft(this.name, this.isDirty() ? { value: this.view.value(), base: this.base } : null);
                     this.tell(reply.backup ? 'What was in the file is kept as ' + reply.backup + '.' : '');
                 }
                 this.standing = reply.standing;
                 this.facts();
                 if (reply.conflict) {
                     this.clash();
+                } else if (!isUnread) {
+                    this.overtaken(sent);
+                    keepDraft(this.name, this.isDirty() ? { value: this.view.value(), base: this.base } : null);
                 }
                 return reply;
             } catch (error) {

@@ -17,14 +17,26 @@
     };
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
+    /** The answer of the server; the error says why there is none. */
+    async function answered(request) {
+        let response;
+        try {
+            response = await request;
+        } catch (error) {
+            throw error.name === 'AbortError'
+                ? error
+                : new Error('The server does not answer. What you have written is kept in this browser.');
+        }
+        if (!response.ok) {
+            throw new Error(await response.text());
+        }
+        return response;
+    }
+
     /** Judges a table: by the local server, or in the page. */
     async function askForTable(question) {
         if (window.workbookServer) {
-            const response = await fetch('/__workbook/figure', { method: 'POST', body: question });
-            if (!response.ok) {
-                throw new Error(await response.text());
-            }
-            return response.text();
+            return (await answered(fetch('/__workbook/figure', { method: 'POST', body: question }))).text();
         }
         const ask = await window.workbookAsk('tableaux');
         return ask(question);
@@ -150,5 +162,5 @@
         }
     }
 
-    window.workbookTable = { readFacts, TableView, askForTable };
+    window.workbookTable = { answered, readFacts, TableView, askForTable };
 })();
