@@ -33,9 +33,21 @@ const NAME: &str = "Kobbelt";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Kobbelt;
 
-/// The weights 9/16 and −1/16 of the four-point rule.
+/// The weights of the four-point rule, −1/16, 9/16, 9/16, −1/16, which the scheme applies along rows and columns.
+///
+/// ```
+/// use cagd::subdivision::kobbelt_weights;
+/// assert_eq!(kobbelt_weights::<f64>().iter().sum::<f64>(), 1.0);
+/// ```
+#[must_use]
+pub fn kobbelt_weights<T: Scalar>() -> [T; 4] {
+    [-1, 9, 9, -1].map(|part| T::from_ratio(part, 16))
+}
+
+/// The inner and the outer weight of the rule.
 fn rule<T: Scalar>() -> [T; 2] {
-    [T::from_ratio(9, 16), T::from_ratio(-1, 16)]
+    let [outer, inner, ..] = kobbelt_weights();
+    [inner, outer]
 }
 
 /// The weights of the virtual point beyond a vertex of valence n on the edge to neighbour 0: those of its neighbours

@@ -53,7 +53,7 @@ pub use catmull_clark::{
 pub use cosine::{CosineError, CosineOfTurn};
 pub use creases::{CreaseError, Creases, VertexRule};
 pub use doo_sabin::{DooSabin, doo_sabin_face, doo_sabin_weights};
-pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights};
+pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights, kobbelt_weights};
 pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;
 pub use loop_scheme::{
@@ -71,4 +71,10 @@ mod chapter {
     mod corner_cutting {}
     #[doc = include_str!("../../book/src/subdivision/uniform-splines.md")]
     mod uniform_splines {}
+    #[doc = include_str!("../../book/src/subdivision/catmull-clark.md")]
+    mod catmull_clark {}
+    #[doc = include_str!("../../book/src/subdivision/doo-sabin.md")]
+    mod doo_sabin {}
+    #[doc = include_str!("../../book/src/subdivision/kobbelt.md")]
+    mod kobbelt {}
 }

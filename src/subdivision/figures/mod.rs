@@ -1,9 +1,15 @@
 //! The figures of this chapter, one module per section.
 
+mod catmull_clark;
 mod corner_cutting;
+mod doo_sabin;
+mod kobbelt;
 mod uniform_splines;
 
+pub use catmull_clark::*;
 pub use corner_cutting::*;
+pub use doo_sabin::*;
+pub use kobbelt::*;
 pub use uniform_splines::*;
 
 use crate::figure::Figure;
@@ -11,8 +17,14 @@ use crate::figure::Figure;
 /// All figures of this chapter.
 #[must_use]
 pub fn all() -> Vec<Figure> {
-    [corner_cutting::all(), uniform_splines::all()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        catmull_clark::all(),
+        corner_cutting::all(),
+        doo_sabin::all(),
+        kobbelt::all(),
+        uniform_splines::all(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
