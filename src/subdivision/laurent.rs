@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::{Add, Mul, Range, Sub};
 
-use crate::scalar::Scalar;
+use crate::scalar::{OrderedScalar, Scalar};
 
 /// A Laurent polynomial Σ cᵢ·zⁱ, i from some whole number to another, negative ones too.
 ///
@@ -185,6 +185,31 @@ impl<T: Scalar> LaurentPolynomial<T> {
         let (low, high) = (a.start.min(b.start), a.end.max(b.end));
         let sum = (low..high).map(|i| combine(self.coefficient(i), other.coefficient(i)));
         Self::new(low, sum)
+    }
+}
+
+impl<T: OrderedScalar> LaurentPolynomial<T> {
+    /// The largest sum of absolute values over the coefficients whose powers agree modulo `rules`.
+    ///
+    /// For a symbol of L steps and 2^L rules it is the norm of these steps: how large a new number can become
+    /// if no old one is larger than 1.
+    ///
+    /// ```
+    /// use cagd::subdivision::LaurentPolynomial;
+    ///
+    /// let p = LaurentPolynomial::new(0, [1.0, -2.0, 3.0, 0.5]);
+    /// assert_eq!(p.norm(1), 6.5);
+    /// assert_eq!(p.norm(2), 4.0, "the even powers; 2.5 for the odd ones");
+    /// ```
+    #[must_use]
+    pub fn norm(&self, rules: usize) -> T {
+        let rules = rules.max(1);
+        let sum = |first: usize| {
+            let members = self.coefficients.iter().skip(first).step_by(rules);
+            members.fold(T::zero(), |sum, c| sum + c.abs())
+        };
+        let used = rules.min(self.coefficients.len());
+        (0..used).map(sum).fold(T::zero(), OrderedScalar::max)
     }
 }
 

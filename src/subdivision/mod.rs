@@ -4,6 +4,9 @@
 //! - [`corner_cutting`] — the schemes of Chaikin, of Lane and Riesenfeld, and the cubic one,
 //! - [`scheme_kind`] — approximating or interpolating,
 //! - [`laurent`], [`mask`] — schemes for curves, and their algebra,
+//! - [`contractivity`] — smoothness by norms of difference schemes,
+//! - [`four_point`] — the four-point scheme,
+//! - [`local_matrix`], [`limit_stencil`] — points of the limit by eigenvectors,
 //! - [`cosine`] — the irrational weights of schemes,
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges;
@@ -13,13 +16,17 @@
 pub mod box_spline;
 pub mod butterfly;
 pub mod catmull_clark;
+pub mod contractivity;
 pub mod corner_cutting;
 pub mod cosine;
 pub mod creases;
 pub mod doo_sabin;
+pub mod four_point;
 pub mod kobbelt;
 pub mod lattice_mask;
 pub mod laurent;
+pub mod limit_stencil;
+pub mod local_matrix;
 pub mod loop_scheme;
 pub mod mask;
 pub mod polygon;
@@ -50,12 +57,17 @@ pub use catmull_clark::{
     CatmullClark, QuadrilateralStar, catmull_clark_limit_weights, catmull_clark_tangent_factor,
     catmull_clark_vertex_weights,
 };
+pub use contractivity::{Contraction, Smoothness, norm_between};
 pub use cosine::{CosineError, CosineOfTurn};
 pub use creases::{CreaseError, Creases, VertexRule};
 pub use doo_sabin::{DooSabin, doo_sabin_face, doo_sabin_weights};
+pub use four_point::{critical_tension, four_point_differences, four_point_rule};
+pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights};
 pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights, kobbelt_weights};
 pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;
+pub use limit_stencil::{LimitStencil, LimitStencilError};
+pub use local_matrix::LocalMatrix;
 pub use loop_scheme::{
     loop_beta, loop_boundary_weights, loop_edge_weights, loop_lattice_mask, loop_limit_weight,
     loop_subdominant_eigenvalue,
@@ -71,6 +83,12 @@ mod chapter {
     mod corner_cutting {}
     #[doc = include_str!("../../book/src/subdivision/uniform-splines.md")]
     mod uniform_splines {}
+    #[doc = include_str!("../../book/src/subdivision/symbols.md")]
+    mod symbols {}
+    #[doc = include_str!("../../book/src/subdivision/four-point.md")]
+    mod four_point {}
+    #[doc = include_str!("../../book/src/subdivision/limit-points.md")]
+    mod limit_points {}
     #[doc = include_str!("../../book/src/subdivision/catmull-clark.md")]
     mod catmull_clark {}
     #[doc = include_str!("../../book/src/subdivision/doo-sabin.md")]

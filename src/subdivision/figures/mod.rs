@@ -3,13 +3,19 @@
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod four_point;
 mod kobbelt;
+mod limit_points;
+mod symbols;
 mod uniform_splines;
 
 pub use catmull_clark::*;
 pub use corner_cutting::*;
 pub use doo_sabin::*;
+pub use four_point::*;
 pub use kobbelt::*;
+pub use limit_points::*;
+pub use symbols::*;
 pub use uniform_splines::*;
 
 use crate::figure::Figure;
@@ -21,7 +27,10 @@ pub fn all() -> Vec<Figure> {
         catmull_clark::all(),
         corner_cutting::all(),
         doo_sabin::all(),
+        four_point::all(),
         kobbelt::all(),
+        limit_points::all(),
+        symbols::all(),
         uniform_splines::all(),
     ]
     .into_iter()

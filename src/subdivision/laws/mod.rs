@@ -5,13 +5,19 @@
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod four_point;
 mod kobbelt;
+mod limit_points;
 mod loop_scheme;
+mod symbols;
 mod uniform_splines;
 
 pub use catmull_clark::*;
 pub use corner_cutting::*;
 pub use doo_sabin::*;
+pub use four_point::*;
 pub use kobbelt::*;
+pub use limit_points::*;
 pub use loop_scheme::*;
+pub use symbols::*;
 pub use uniform_splines::*;

@@ -3,5 +3,8 @@
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod four_point;
 mod kobbelt;
+mod limit_points;
+mod symbols;
 mod uniform_splines;

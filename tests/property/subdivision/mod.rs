@@ -3,7 +3,11 @@
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod four_point;
 mod kobbelt;
+mod limit_points;
 mod loop_scheme;
+mod masks;
 mod polygons;
+mod symbols;
 mod uniform_splines;

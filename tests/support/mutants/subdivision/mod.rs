@@ -3,6 +3,9 @@
 pub mod catmull_clark;
 pub mod corner_cutting;
 pub mod doo_sabin;
+pub mod four_point;
 pub mod kobbelt;
+pub mod limit_points;
 pub mod loop_scheme;
+pub mod symbols;
 pub mod uniform_splines;
