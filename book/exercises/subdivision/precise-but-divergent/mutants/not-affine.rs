@@ -1,0 +1,6 @@
+//! misconception: large weights are enough, whatever their sum
+
+/// The coefficients of the mask as pairs (numerator, denominator).
+pub fn counterexample() -> Vec<(i64, i64)> {
+    vec![(2, 1), (4, 1), (2, 1)]
+}
