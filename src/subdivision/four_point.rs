@@ -1,6 +1,6 @@
 //! The four-point scheme: keep the points, put one between each two.
 
-use super::mask::Mask;
+use super::mask::{Mask, MaskError};
 use super::polygon::{Closing, ControlPolygon, ControlPolygonError};
 use crate::affine::{Affine, Interval};
 use crate::bezier::{BezierCurve, RootSearch, Roots};
@@ -148,16 +148,23 @@ pub fn critical_tension(tolerance: BigRational) -> Roots<BigRational> {
 /// The scheme S_b of the differences of the first divided differences of the four-point scheme:
 /// the mask (−2w, 4w, 1 − 4w, 4w, −2w), whose contraction proves C¹.
 ///
-/// ```
-/// use cagd::subdivision::four_point_differences;
+/// # Errors
 ///
-/// let mask = four_point_differences(0.0625).expect("a finite tension");
-/// assert_eq!(mask.symbol().coefficients(), [-0.125, 0.25, 0.75, 0.25, -0.125]);
+/// [`MaskError::NotFinite`] if w is infinite or NaN.
+///
 /// ```
-#[must_use]
-pub fn four_point_differences<T: Scalar>(tension: T) -> Option<Mask<T>> {
-    Mask::four_point(tension)
-        .ok()?
-        .divided_difference_scheme(1)?
-        .difference_scheme()
+/// use cagd::scalar::{BigRational, Scalar};
+/// use cagd::subdivision::{Mask, four_point_differences};
+///
+/// let w = BigRational::from_ratio(17, 100);
+/// let divided = Mask::four_point(w.clone())?.divided_difference_scheme(1).expect("two factors 1 + z");
+/// assert_eq!(Some(four_point_differences(w)?), divided.difference_scheme());
+/// assert_eq!(four_point_differences(0.0625)?.symbol().coefficients(), [-0.125, 0.25, 0.75, 0.25, -0.125]);
+/// # Ok::<(), cagd::subdivision::MaskError>(())
+/// ```
+pub fn four_point_differences<T: Scalar>(tension: T) -> Result<Mask<T>, MaskError> {
+    let outer = T::from_integer(-2) * tension.clone();
+    let inner = T::from_integer(4) * tension;
+    let middle = T::one() - inner.clone();
+    Mask::new(-3, [outer.clone(), inner.clone(), middle, inner, outer])
 }

@@ -60,7 +60,7 @@ fn four_point_norms() -> String {
 
 /// The norms for C¹ with some tensions, as decimals.
 fn tension_norms() -> String {
-    let scheme = |p: i64, q: i64| four_point_differences(ratio(p, q));
+    let scheme = |p: i64, q: i64| four_point_differences(ratio(p, q)).ok();
     let schemes = [
         ("$w = 1/16$", scheme(1, 16)),
         ("$w = 3/20$", scheme(3, 20)),
@@ -75,7 +75,7 @@ fn tension_norms() -> String {
 fn tension_interval_bound() -> String {
     let [low, high] = [ratio(3, 20), ratio(9, 50)].map(four_point_differences);
     match (low, high) {
-        (Some(low), Some(high)) => tex::decimal(&norm_between(&low, &high, 8), 6),
+        (Ok(low), Ok(high)) => tex::decimal(&norm_between(&low, &high, 8), 6),
         _ => String::new(),
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::affine::Point;
 use crate::figure::{Axes, BoxError, Canvas, Figure, Place, PointStyle, Style, decimal};
-use crate::scalar::{BigRational, OrderedScalar, Real, Scalar};
-use crate::subdivision::{ControlPolygon, Mask, critical_tension, four_point_differences};
+use crate::scalar::{BigRational, OrderedScalar, Real, Scalar, exact};
+use crate::subdivision::{
+    ControlPolygon, Mask, MaskError, critical_tension, four_point_differences,
+};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -177,12 +179,13 @@ pub fn four_point_tension() -> Figure {
         canvas.axes(Axes::new("w", "norm"));
         canvas.window([0.0, 0.0], [0.25, 2.0]);
         let norm = |w: f64, steps: usize| {
-            four_point_differences(w).map_or(f64::NAN, |scheme| scheme.norm(steps))
+            four_point_differences(w).map(|scheme| scheme.norm(steps))
         };
         for (series, steps) in STEPS.into_iter().enumerate() {
             // 40 chords for functions that are piecewise polynomial with a few pieces.
             let samples = (0..=40).map(|i| f64::from(i) / 160.0);
-            let graph: Vec<[f64; 2]> = samples.map(|w| [w, norm(w, steps)]).collect();
+            let graph = samples.map(|w| Ok([w, norm(w, steps)?]));
+            let graph: Vec<[f64; 2]> = graph.collect::<Result<_, MaskError>>()?;
             canvas.polyline(&format!("L = {steps}"), graph, Style::Series(series));
             canvas.legend(&format!("$L = {steps}$"), Style::Series(series));
         }
@@ -194,7 +197,7 @@ pub fn four_point_tension() -> Figure {
             canvas.segment(name, [place, 0.0], [place, 2.0], Style::Tangent);
             canvas.label(&decimal(place, 4), [place, 0.2]);
         }
-        canvas.point("chosen", [w, norm(w, 8)], PointStyle::Result);
+        canvas.point("chosen", [w, norm(w, 8)?], PointStyle::Result);
         canvas.panel(PANELS[1]);
         canvas.caption(&format!("w = {}", decimal(w, 3)));
         let polygon = ControlPolygon::closed(values.points("p")?)?;
@@ -220,12 +223,14 @@ pub fn four_point_analysis() -> Figure {
     .slider("w", 0.01..=0.2, SIXTEENTH)
     .draw(|values, canvas| {
         canvas.axes(Axes::new("steps L", "norm").logarithmic().whole());
-        let mask = Mask::four_point(values.number("w")?)?;
+        // Whether a factor 1 + z can be divided off is decided by exact numbers.
+        let w = exact(values.number("w")?).ok_or("a finite tension")?;
+        let mask = Mask::four_point(w)?;
         for order in 0..=2 {
             // For C² two more factors 1 + z are needed, which only w = 1/16 has.
             let scheme = mask.divided_difference_scheme(order).and_then(|scheme| scheme.difference_scheme());
             let Some(scheme) = scheme else { continue };
-            let norms: Vec<[f64; 2]> = (1..=8).map(|steps| [steps as f64, scheme.norm(steps)]).collect();
+            let norms: Vec<[f64; 2]> = (1..=8).map(|steps| [steps as f64, scheme.norm(steps).to_f64()]).collect();
             canvas.polyline(&format!("order {order}"), norms, Style::Series(order));
             canvas.legend(&format!("$C^{order}$"), Style::Series(order));
         }

@@ -1,7 +1,7 @@
 //! Figures of the section on masks and symbols.
 
 use crate::figure::{Axes, Figure, PointStyle, Style};
-use crate::scalar::OrderedScalar;
+use crate::scalar::{BigRational, OrderedScalar, Scalar, exact};
 use crate::subdivision::{Mask, MaskError};
 
 pub(super) fn all() -> Vec<Figure> {
@@ -9,10 +9,19 @@ pub(super) fn all() -> Vec<Figure> {
 }
 
 /// The mask with its indices shifted so that they lie around 0.
-fn centred(mask: &Mask<f64>) -> Result<Mask<f64>, MaskError> {
+fn centred<T: Scalar>(mask: &Mask<T>) -> Result<Mask<T>, MaskError> {
     let support = mask.support();
     let middle = (support.start + support.end - 1).div_euclid(2);
     Mask::from_symbol(mask.symbol().shifted(-middle))
+}
+
+/// The mask with rounded coefficients.
+fn rounded(mask: &Mask<BigRational>) -> Result<Mask<f64>, MaskError> {
+    let coefficients = mask.symbol().coefficients().iter();
+    Mask::new(
+        mask.support().start,
+        coefficients.map(OrderedScalar::to_f64),
+    )
 }
 
 /// How far three schemes move the polygon from step to step, and the bound for it.
@@ -30,16 +39,19 @@ pub fn difference_scheme() -> Figure {
     .slider("w", 0.01..=0.2, 0.0625)
     .draw(|values, canvas| {
         canvas.axes(Axes::new("steps k", "distance").logarithmic().whole());
+        // Whether a factor 1 + z can be divided off is decided by exact numbers.
+        let w = exact(values.number("w")?).ok_or("a finite tension")?;
         let schemes = [
             ("Chaikin", Mask::lane_riesenfeld(2)),
             ("cubic", Mask::lane_riesenfeld(3)),
-            ("four-point", Mask::four_point(values.number("w")?)?),
+            ("four-point", Mask::four_point(w)?),
         ];
+        let midpoints = centred(&Mask::lane_riesenfeld(1))?;
         for (series, (name, mask)) in schemes.iter().enumerate() {
             let mask = centred(mask)?;
-            let midpoints = centred(&Mask::lane_riesenfeld(1))?;
-            // The rules sum to 1, so these two exist; no bound is drawn if rounding says otherwise.
-            let bounds = mask.difference_scheme().zip(mask.displacement());
+            let differences = mask.difference_scheme().ok_or("a factor 1 + z")?;
+            let displacement = mask.displacement().ok_or("rules of sum 1")?.norm(2).to_f64();
+            let mask = rounded(&mask)?;
             let mut data = vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
             let (mut moved, mut bound) = (vec![], vec![]);
             for k in 0..=STEPS {
@@ -47,16 +59,12 @@ pub fn difference_scheme() -> Figure {
                 let polygon = midpoints.refine_closed(&data)?;
                 let distances = refined.iter().zip(&polygon).map(|(a, b)| OrderedScalar::abs(&(a - b)));
                 moved.push([k as f64, distances.fold(0.0, f64::max)]);
-                if let Some((differences, displacement)) = &bounds {
-                    // The largest difference of the data is 1.
-                    bound.push([k as f64, displacement.norm(2) * differences.norm(k)]);
-                }
+                // The largest difference of the data is 1.
+                bound.push([k as f64, displacement * differences.norm(k).to_f64()]);
                 data = refined;
             }
             canvas.points(name, moved, PointStyle::Level(series + 1));
-            if !bound.is_empty() {
-                canvas.polyline(&format!("bound: {name}"), bound, Style::Series(series));
-            }
+            canvas.polyline(&format!("bound: {name}"), bound, Style::Series(series));
             canvas.legend_point(name, PointStyle::Level(series + 1));
             canvas.legend(&format!("bound: {name}"), Style::Series(series));
         }
