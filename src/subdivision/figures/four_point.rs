@@ -48,7 +48,7 @@ pub fn figure_four_point() -> Figure {
          In the third it is open, and before every step a phantom point is put beyond each end, the mirror image of the second point. \
          The new points of the first step are marked.",
     )
-    .rows(&[&PANELS[..2], &PANELS[2..]])
+    .rows(&[&PANELS[..1], &PANELS[1..]])
     .slider("w", 0.0..=0.25, SIXTEENTH)
     .stepper("steps", 1..=5, 4)
     .handles_in(
@@ -115,12 +115,12 @@ pub fn four_point_convergence() -> Figure {
     Figure::new(
         "subdivision-four-point-convergence",
         "The limit of one point 1 among zeros",
-        "On the left the limit function of the data that are 1 at 0 and 0 at all other whole numbers, together with its derivative. \
+        "Above, the limit function of the data that are 1 at 0 and 0 at all other whole numbers, together with its derivative. \
          The function has the value 1 at 0, waves of decreasing size on both sides, and is 0 beyond −3 and 3. \
          The derivative is continuous and has fine ripples. \
-         On the right 4ᵏ times the second difference at 0 after k steps: the values lie on a falling line and tend to minus infinity.",
+         Below, 4ᵏ times the second difference at 0 after k steps: the values lie on a falling line and tend to minus infinity.",
     )
-    .rows(&[&PANELS])
+    .rows(&[&PANELS[..1], &PANELS[1..]])
     .stepper("steps", 1..=6, 6)
     .draw(|values, canvas| {
         let steps = values.count("steps")?;
@@ -160,13 +160,13 @@ pub fn four_point_tension() -> Figure {
     Figure::new(
         "subdivision-four-point-tension",
         "For which tensions the norms prove C¹",
-        "On the left the norms of 1, 2, 4 and 8 steps of the difference scheme against the tension w from 0 to 0.25. \
+        "Above, the norms of 1, 2, 4 and 8 steps of the difference scheme against the tension w from 0 to 0.25. \
          The norm of two steps crosses the line of height 1 at w = 0.1545; that of four steps farther to the right, that of eight \
          farther still, but none beyond w = 0.1927, where a vertical line stands. \
-         On the right a closed polygon of six points and its refinement for the tension that is chosen, \
+         Below, a closed polygon of six points and its refinement for the tension that is chosen, \
          together with that for w = 1/16.",
     )
-    .rows(&[&PANELS])
+    .rows(&[&PANELS[..1], &PANELS[1..]])
     .slider("w", 0.0..=0.25, 0.17)
     .handles_in(
         PANELS[1],
@@ -275,10 +275,10 @@ pub fn figure_precision() -> Figure {
             canvas.polyline("refined", outline(curve), Style::Curve);
         };
         canvas.panel(PANELS[0]);
-        canvas.caption("points on a line");
+        canvas.caption("collinear points");
         draw(canvas, &line, &refined_line);
         canvas.panel(PANELS[1]);
-        canvas.caption("points on a circle");
+        canvas.caption("points of the circle");
         canvas.circle("circle", [0.0, 0.0], 1.0, Style::Guide);
         draw(canvas, &circle, &refined_circle);
         canvas.panel(PANELS[2]);

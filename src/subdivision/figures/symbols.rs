@@ -65,8 +65,10 @@ pub fn difference_scheme() -> Figure {
             }
             canvas.points(name, moved, PointStyle::Level(series + 1));
             canvas.polyline(&format!("bound: {name}"), bound, Style::Series(series));
-            canvas.legend_point(name, PointStyle::Level(series + 1));
-            canvas.legend(&format!("bound: {name}"), Style::Series(series));
+            // A hyphen in a label would become a minus sign.
+            let shown = name.replace('-', " ");
+            canvas.legend_point(&shown, PointStyle::Level(series + 1));
+            canvas.legend(&format!("bound: {shown}"), Style::Series(series));
         }
         Ok(())
     })
