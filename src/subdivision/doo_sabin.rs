@@ -2,7 +2,7 @@
 
 use super::cosine::{CosineError, CosineOfTurn};
 use super::stencil::count;
-use super::{HalfEdgeMesh, Mesh, SchemeError, SurfaceScheme};
+use super::{Mesh, SchemeError, SurfaceScheme};
 use crate::affine::Affine;
 
 const NAME: &str = "Doo–Sabin";
@@ -105,26 +105,6 @@ fn rotated<P: Affine>(weights: &[P::Scalar], corners: &[P]) -> Vec<P> {
     (0..k).map(corner).collect()
 }
 
-/// The faces of the refined mesh; vertex h is the corner at the origin of half-edge h.
-fn faces(mesh: &HalfEdgeMesh) -> Vec<Vec<u32>> {
-    let inside = mesh
-        .faces()
-        .map(|f| mesh.face_half_edges(f).map(|h| h.0).collect());
-    let across = mesh
-        .edges()
-        .filter(|&e| !mesh.is_boundary_edge(e))
-        .map(|e| {
-            let h = mesh.edge_half_edge(e);
-            let g = mesh.flip(h);
-            [mesh.next(h), h, mesh.next(g), g].map(|h| h.0).to_vec()
-        });
-    let around = mesh
-        .vertices()
-        .filter(|&v| !mesh.is_boundary(v))
-        .map(|v| mesh.vertex_ring(v).map(|h| h.0).collect());
-    inside.chain(across).chain(around).collect()
-}
-
 impl<P> SurfaceScheme<P> for DooSabin
 where
     P: Affine,
@@ -153,6 +133,6 @@ where
             let corners: Vec<P> = mesh.face_points(f).cloned().collect();
             points.extend(doo_sabin_face(&corners)?);
         }
-        Ok(Mesh::from_faces(points, &faces(old))?)
+        Ok(Mesh::new(old.cut_corners()?, points)?)
     }
 }

@@ -9,7 +9,8 @@
 //! - [`local_matrix`], [`limit_stencil`] — points of the limit by eigenvectors,
 //! - [`cosine`] — the irrational weights of schemes,
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
-//! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges;
+//! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
+//! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
 //!
 //! the theorems are in [`laws`].
 
@@ -33,15 +34,20 @@ pub mod polygon;
 pub mod scheme_kind;
 
 mod mesh;
+mod refiner;
 mod scheme;
 mod stencil;
+mod stencil_table;
 
 pub mod laws;
 
 pub use mesh::{
-    EdgeId, FaceId, HalfEdgeId, HalfEdgeMesh, Mesh, MeshError, VertexId, VertexRing, solids,
+    EdgeId, FaceId, HalfEdgeId, HalfEdgeMesh, HalfEdgeTables, Mesh, MeshError, Refinement,
+    VertexId, VertexRing, solids,
 };
+pub use refiner::{FastScheme, Refiner};
 pub use scheme::{SchemeError, SurfaceScheme};
+pub use stencil_table::StencilCascade;
 
 #[cfg(feature = "figures")]
 pub mod figures;
@@ -89,6 +95,8 @@ mod chapter {
     mod four_point {}
     #[doc = include_str!("../../book/src/subdivision/limit-points.md")]
     mod limit_points {}
+    #[doc = include_str!("../../book/src/subdivision/meshes.md")]
+    mod meshes {}
     #[doc = include_str!("../../book/src/subdivision/catmull-clark.md")]
     mod catmull_clark {}
     #[doc = include_str!("../../book/src/subdivision/doo-sabin.md")]

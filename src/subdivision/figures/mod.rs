@@ -6,6 +6,7 @@ mod doo_sabin;
 mod four_point;
 mod kobbelt;
 mod limit_points;
+mod meshes;
 mod symbols;
 mod uniform_splines;
 
@@ -15,6 +16,7 @@ pub use doo_sabin::*;
 pub use four_point::*;
 pub use kobbelt::*;
 pub use limit_points::*;
+pub use meshes::*;
 pub use symbols::*;
 pub use uniform_splines::*;
 
@@ -30,6 +32,7 @@ pub fn all() -> Vec<Figure> {
         four_point::all(),
         kobbelt::all(),
         limit_points::all(),
+        meshes::all(),
         symbols::all(),
         uniform_splines::all(),
     ]

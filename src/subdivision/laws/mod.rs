@@ -9,6 +9,7 @@ mod four_point;
 mod kobbelt;
 mod limit_points;
 mod loop_scheme;
+mod meshes;
 mod symbols;
 mod uniform_splines;
 
@@ -19,5 +20,6 @@ pub use four_point::*;
 pub use kobbelt::*;
 pub use limit_points::*;
 pub use loop_scheme::*;
+pub use meshes::*;
 pub use symbols::*;
 pub use uniform_splines::*;

@@ -118,7 +118,7 @@ impl Blocks {
         }
     }
 
-    pub(super) fn face(&self, half_edge: u32) -> u32 {
+    pub(in crate::subdivision) fn face(&self, half_edge: u32) -> u32 {
         match self {
             Self::Uniform { degree, .. } => half_edge / degree,
             Self::Mixed { face, .. } => face[half_edge as usize],

@@ -37,17 +37,12 @@ impl<P: Affine> Mesh<P> {
                 points: points.len(),
             });
         }
-        let finite = |point: &P| point.coordinates().iter().all(Scalar::is_finite);
-        match points.iter().position(|point| !finite(point)) {
-            None => Ok(Self {
-                connectivity,
-                points,
-            }),
-            Some(index) => Err(MeshError::NotFinite {
-                vertex: VertexId::at(index),
-                point: written(&points[index]),
-            }),
-        }
+        let mesh = Self {
+            connectivity,
+            points,
+        };
+        mesh.check_points()?;
+        Ok(mesh)
     }
 
     /// A mesh from points and lists of vertices; see [`HalfEdgeMesh::from_faces`].
@@ -57,6 +52,31 @@ impl<P: Affine> Mesh<P> {
     /// As [`HalfEdgeMesh::from_faces`] and [`new`](Self::new).
     pub fn from_faces<F: AsRef<[u32]>>(points: Vec<P>, faces: &[F]) -> Result<Self, MeshError> {
         Self::new(HalfEdgeMesh::from_faces(points.len(), faces)?, points)
+    }
+
+    /// A mesh without elements, whose memory a refinement can use again and again.
+    pub(in crate::subdivision) fn buffer() -> Self {
+        Self {
+            connectivity: HalfEdgeMesh::buffer(),
+            points: vec![],
+        }
+    }
+
+    /// Both parts, for who makes them belong together again and calls [`check_points`](Self::check_points) then.
+    pub(in crate::subdivision) fn parts_mut(&mut self) -> (&mut HalfEdgeMesh, &mut Vec<P>) {
+        (&mut self.connectivity, &mut self.points)
+    }
+
+    /// All coordinates are finite.
+    pub(in crate::subdivision) fn check_points(&self) -> Result<(), MeshError> {
+        let finite = |point: &P| point.coordinates().iter().all(Scalar::is_finite);
+        match self.points.iter().position(|point| !finite(point)) {
+            None => Ok(()),
+            Some(index) => Err(MeshError::NotFinite {
+                vertex: VertexId::at(index),
+                point: written(&self.points[index]),
+            }),
+        }
     }
 
     /// The connectivity.

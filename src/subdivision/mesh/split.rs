@@ -59,7 +59,7 @@ fn next_in_triangle(h: u32) -> u32 {
 }
 
 #[inline]
-fn prev_in_triangle(h: u32) -> u32 {
+pub(in crate::subdivision) fn prev_in_triangle(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 

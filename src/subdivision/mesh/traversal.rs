@@ -1,5 +1,6 @@
 //! Walking on a mesh: rings around vertices, boundary loops, components, and the genus they tell.
 
+use super::connectivity::Blocks;
 use super::{EdgeId, FaceId, HalfEdgeId, HalfEdgeMesh, VertexId};
 
 /// The half-edges that start at one vertex, counterclockwise; see [`HalfEdgeMesh::vertex_ring`].
@@ -112,9 +113,10 @@ impl HalfEdgeMesh {
     /// The number of vertices of each face, if all have the same.
     #[must_use]
     pub fn uniform_face_degree(&self) -> Option<usize> {
-        let mut degrees = self.faces().map(|f| self.face_degree(f));
-        let first = degrees.next()?;
-        degrees.all(|degree| degree == first).then_some(first)
+        match self.blocks {
+            Blocks::Uniform { degree, .. } => Some(degree as usize),
+            Blocks::Mixed { .. } => None,
+        }
     }
 
     /// Whether there is no boundary.

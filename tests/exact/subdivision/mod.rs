@@ -7,6 +7,7 @@ mod four_point;
 mod kobbelt;
 mod limit_points;
 mod loop_scheme;
+mod meshes;
 mod polygons;
 mod symbols;
 mod uniform_splines;

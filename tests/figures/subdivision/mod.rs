@@ -6,5 +6,6 @@ mod doo_sabin;
 mod four_point;
 mod kobbelt;
 mod limit_points;
+mod meshes;
 mod symbols;
 mod uniform_splines;

@@ -8,6 +8,8 @@ mod kobbelt;
 mod limit_points;
 mod loop_scheme;
 mod masks;
+mod meshes;
 mod polygons;
+mod refiner;
 mod symbols;
 mod uniform_splines;

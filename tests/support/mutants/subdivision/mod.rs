@@ -7,5 +7,6 @@ pub mod four_point;
 pub mod kobbelt;
 pub mod limit_points;
 pub mod loop_scheme;
+pub mod meshes;
 pub mod symbols;
 pub mod uniform_splines;
