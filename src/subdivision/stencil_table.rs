@@ -36,8 +36,8 @@ impl StencilTable {
             let mut sum = [0.0; D];
             for &(j, weight) in row {
                 let point = &old[j as usize];
-                for k in 0..D {
-                    sum[k] += weight * point[k];
+                for (sum, x) in sum.iter_mut().zip(point) {
+                    *sum += weight * x;
                 }
             }
             sum

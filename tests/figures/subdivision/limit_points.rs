@@ -19,12 +19,12 @@ fn limit_stencils() {
         })?;
         // Sums of three or four terms with coordinates up to 8, in another order of operations.
         let bound = cagd::law::gamma(24) * 4.0 * 8.0;
-        for i in 0..vertices.len() {
+        for (i, limit) in limits.iter().enumerate() {
             // Over the knots ℤ the vertex i has its weight 4/6 at the parameter i + 2.
             let u = 3.0 + ((i + 5) % 6) as f64;
-            near("a limit point", limits[i], spline.at(u)?, bound)?;
+            near("a limit point", *limit, spline.at(u)?, bound)?;
             let [from, to] = plot.segment(&format!("tangent {i}"))?;
-            near("a tangent begins", from, limits[i], 0.0)?;
+            near("a tangent begins", from, *limit, 0.0)?;
             near(
                 "a tangent ends",
                 to,

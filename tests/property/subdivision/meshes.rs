@@ -265,8 +265,8 @@ fn every_class_of_mesh_occurs() {
         };
         let inner = mesh.vertices().filter(|&v| !mesh.is_boundary(v));
         let valences: BTreeSet<usize> = inner.map(|v| mesh.valence(v)).collect();
-        for (valence, among) in valences.into_iter().zip(std::iter::repeat(among)) {
-            if let Some(among) = among {
+        if let Some(among) = among {
+            for valence in valences {
                 *counts
                     .entry(format!("valence {valence} among {among}"))
                     .or_insert(0) += 1;

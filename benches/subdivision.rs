@@ -1,0 +1,263 @@
+//! Refinement of meshes beside the bound of any refinement: writing its result.
+//!
+//! What was measured, and how to read it, is in `README.md` beside this file.
+
+use std::hint::black_box;
+
+use cagd::affine::Point;
+use cagd::subdivision::{FastScheme, HalfEdgeMesh, Mesh, Refiner, StencilCascade, solids};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+
+type Space = Mesh<Point<f64, 3>>;
+
+/// A torus with about this many triangles or quadrilaterals: nothing in it is extraordinary.
+fn torus(scheme: FastScheme, faces: usize) -> Space {
+    let cells = if scheme == FastScheme::Loop {
+        faces / 2
+    } else {
+        faces
+    };
+    let rows = ((cells / 2) as f64).sqrt().round() as usize;
+    let columns = cells / rows;
+    let connectivity = match scheme {
+        FastScheme::Loop => solids::torus_triangles(columns, rows),
+        FastScheme::CatmullClark => solids::torus_quadrilaterals(columns, rows),
+    };
+    let points = solids::torus_points(columns, rows);
+    Mesh::new(connectivity, points).expect("a point a vertex")
+}
+
+/// A ball with extraordinary vertices: an icosahedron or a cube, refined.
+fn ball(scheme: FastScheme, steps: usize) -> Space {
+    let start = match scheme {
+        FastScheme::Loop => solids::icosahedron(),
+        FastScheme::CatmullClark => solids::cube(),
+    };
+    Refiner::new(scheme)
+        .refine(&start, steps)
+        .expect("a small mesh")
+        .clone()
+}
+
+fn name(scheme: FastScheme) -> &'static str {
+    match scheme {
+        FastScheme::Loop => "Loop",
+        FastScheme::CatmullClark => "Catmull-Clark",
+    }
+}
+
+const SCHEMES: [FastScheme; 2] = [FastScheme::Loop, FastScheme::CatmullClark];
+
+/// Lists as long as those of a refined mesh.
+struct Output {
+    half_edges: [Vec<u32>; 3],
+    vertex_half_edge: Vec<u32>,
+    edge_half_edge: Vec<u32>,
+    points: Vec<[f64; 3]>,
+}
+
+impl Output {
+    fn like(mesh: &HalfEdgeMesh) -> Self {
+        let list = || vec![0; mesh.half_edge_count()];
+        Output {
+            half_edges: [list(), list(), list()],
+            vertex_half_edge: vec![0; mesh.vertex_count()],
+            edge_half_edge: vec![0; mesh.edge_count()],
+            points: vec![[0.0; 3]; mesh.vertex_count()],
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let numbers =
+            3 * self.half_edges[0].len() + self.vertex_half_edge.len() + self.edge_half_edge.len();
+        4 * numbers + 24 * self.points.len()
+    }
+
+    /// Writes every number once, in order.
+    fn write(&mut self, number: u32) {
+        for list in &mut self.half_edges {
+            list.fill(number);
+        }
+        self.vertex_half_edge.fill(number);
+        self.edge_half_edge.fill(number);
+        self.points.fill([f64::from(number); 3]);
+    }
+}
+
+/// One step to about a million faces, the memory of the result in place; and what writing the result alone takes.
+fn step(c: &mut Criterion) {
+    for scheme in SCHEMES {
+        let mut group =
+            c.benchmark_group(format!("one step to 1.3 million faces, {}", name(scheme)));
+        let old = ball(scheme, if scheme == FastScheme::Loop { 7 } else { 8 });
+        let mut refiner = Refiner::new(scheme);
+        let refined = refiner
+            .refine(&old, 1)
+            .expect("a mesh")
+            .connectivity()
+            .clone();
+        let faces = refined.face_count();
+        let mut output = Output::like(&refined);
+        println!(
+            "{} faces, {:.1} bytes a face",
+            faces,
+            output.bytes() as f64 / faces as f64
+        );
+        drop(refined);
+        group
+            .throughput(Throughput::Elements(faces as u64))
+            .sample_size(20);
+        group.bench_function("writing the result", |b| {
+            let mut number = 0;
+            b.iter(|| {
+                number += 1;
+                output.write(black_box(number));
+                black_box(&mut output.points);
+            });
+        });
+        group.bench_function("refine", |b| {
+            b.iter(|| {
+                black_box(
+                    refiner
+                        .refine(black_box(&old), 1)
+                        .expect("a mesh")
+                        .points()
+                        .len(),
+                )
+            });
+        });
+        group.bench_function("refine, new memory", |b| {
+            b.iter(|| {
+                let mut refiner = Refiner::new(scheme);
+                black_box(
+                    refiner
+                        .refine(black_box(&old), 1)
+                        .expect("a mesh")
+                        .points()
+                        .len(),
+                )
+            });
+        });
+        let points = old.points().to_vec();
+        let lists = old.connectivity().face_lists();
+        group.bench_function("from lists of points and faces", |b| {
+            // Lists of fixed length, as they come from a file or a buffer.
+            if scheme == FastScheme::Loop {
+                let faces: Vec<[u32; 3]> = lists.iter().map(|f| [f[0], f[1], f[2]]).collect();
+                b.iter(|| from_lists(&mut refiner, &points, &faces));
+            } else {
+                let faces: Vec<[u32; 4]> = lists.iter().map(|f| [f[0], f[1], f[2], f[3]]).collect();
+                b.iter(|| from_lists(&mut refiner, &points, &faces));
+            }
+        });
+        group.finish();
+    }
+}
+
+fn from_lists<F: AsRef<[u32]>>(
+    refiner: &mut Refiner,
+    points: &[Point<f64, 3>],
+    faces: &[F],
+) -> usize {
+    let mesh = Mesh::from_faces(points.to_vec(), black_box(faces)).expect("a mesh");
+    black_box(refiner.refine(&mesh, 1).expect("a mesh").points().len())
+}
+
+/// All steps from a solid, with the memory of the run before; the time counts for each face of the last step.
+fn all_steps(c: &mut Criterion) {
+    let mut group = c.benchmark_group("all steps from a solid");
+    for scheme in SCHEMES {
+        let (start, steps) = match scheme {
+            FastScheme::Loop => (ball(scheme, 0), 8),
+            FastScheme::CatmullClark => (ball(scheme, 0), 9),
+        };
+        let mut refiner = Refiner::new(scheme);
+        let faces = refiner
+            .refine(&start, steps)
+            .expect("a mesh")
+            .connectivity()
+            .face_count();
+        group
+            .throughput(Throughput::Elements(faces as u64))
+            .sample_size(20);
+        group.bench_function(BenchmarkId::new(name(scheme), faces), |b| {
+            b.iter(|| {
+                black_box(
+                    refiner
+                        .refine(black_box(&start), steps)
+                        .expect("a mesh")
+                        .points()
+                        .len(),
+                )
+            });
+        });
+    }
+    group.finish();
+}
+
+/// One step to 10³, 10⁴, …, 10⁷ faces.
+fn sizes(c: &mut Criterion) {
+    for scheme in SCHEMES {
+        let mut group = c.benchmark_group(format!("one step, {}", name(scheme)));
+        for exponent in 3..=7 {
+            let old = torus(scheme, 10_usize.pow(exponent) / 4);
+            let mut refiner = Refiner::new(scheme);
+            let faces = refiner
+                .refine(&old, 1)
+                .expect("a mesh")
+                .connectivity()
+                .face_count();
+            group
+                .throughput(Throughput::Elements(faces as u64))
+                .sample_size(10);
+            group.bench_function(BenchmarkId::from_parameter(faces), |b| {
+                b.iter(|| {
+                    black_box(
+                        refiner
+                            .refine(black_box(&old), 1)
+                            .expect("a mesh")
+                            .points()
+                            .len(),
+                    )
+                });
+            });
+        }
+        group.finish();
+    }
+}
+
+/// Points alone, in single precision, for a connectivity that stays.
+fn stencils(c: &mut Criterion) {
+    let mut group = c.benchmark_group("points by stencils, f32");
+    for scheme in SCHEMES {
+        let old = ball(scheme, if scheme == FastScheme::Loop { 4 } else { 5 });
+        let mut three = StencilCascade::<3>::new(scheme, old.connectivity(), 2).expect("a mesh");
+        let mut four = StencilCascade::<4>::new(scheme, old.connectivity(), 2).expect("a mesh");
+        let faces = three.connectivity().face_count();
+        let control3: Vec<[f32; 3]> = old
+            .points()
+            .iter()
+            .map(|p| [p[0] as f32, p[1] as f32, p[2] as f32])
+            .collect();
+        let control4: Vec<[f32; 4]> = control3.iter().map(|&[x, y, z]| [x, y, z, 1.0]).collect();
+        group
+            .throughput(Throughput::Elements(faces as u64))
+            .sample_size(20);
+        group.bench_function(
+            BenchmarkId::new(format!("{}, 3 coordinates", name(scheme)), faces),
+            |b| {
+                b.iter(|| black_box(three.apply(black_box(&control3)).expect("points").len()));
+            },
+        );
+        group.bench_function(
+            BenchmarkId::new(format!("{}, 4 coordinates", name(scheme)), faces),
+            |b| {
+                b.iter(|| black_box(four.apply(black_box(&control4)).expect("points").len()));
+            },
+        );
+    }
+    group.finish();
+}
+
+criterion_group!(benches, step, all_steps, sizes, stencils);
+criterion_main!(benches);
