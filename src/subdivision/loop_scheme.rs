@@ -1,8 +1,224 @@
 //! Loop's scheme for triangle meshes: its stencils and its rules.
 
+use num_traits::{One, Zero};
+
 use super::cosine::{CosineError, CosineOfTurn};
+use super::creases::{Creases, VertexRule};
 use super::lattice_mask::{LatticeIndex, LatticeMask};
+use super::{EdgeId, HalfEdgeId, Mesh, SchemeError, SurfaceScheme, VertexId};
+use crate::affine::Affine;
 use crate::scalar::Scalar;
+
+/// Loop's scheme: every triangle becomes four, old vertices move towards their neighbours.
+///
+/// ```text
+/// edge point     (3/8)(a + b) + (1/8)(c + d)       ab the edge, c and d the vertices opposite to it
+/// vertex point   (1 − kβ)·v + β·Σ neighbours       k the valence of v, β from loop_beta
+/// boundary       (a + b)/2 and (6v + a + b)/8      a and b the ends of the edge, or the neighbours along the boundary
+/// ```
+///
+/// [`refine_with_creases`](Self::refine_with_creases) treats sharp edges like the boundary.
+///
+/// # Examples
+///
+/// ```
+/// use cagd::affine::Point;
+/// use cagd::scalar::{BigRational, Scalar};
+/// use cagd::subdivision::{Loop, SurfaceScheme, VertexId, solids};
+///
+/// let octahedron = solids::octahedron::<BigRational>();
+/// let refined = Loop.refine(&octahedron)?;
+/// let mesh = refined.connectivity();
+/// assert_eq!((mesh.vertex_count(), mesh.edge_count(), mesh.face_count()), (18, 48, 32));
+///
+/// let ratio = BigRational::from_ratio;
+/// assert_eq!(refined.point(VertexId(0)), &Point::new([ratio(9, 64), ratio(0, 1), ratio(0, 1)]));
+/// # Ok::<(), cagd::subdivision::SchemeError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`SchemeError`] for a face that is not a triangle, for a result with too many half-edges, and for a vertex
+/// whose weight is irrational in exact arithmetic; rational are those of valence 3, 4 and 6.
+///
+/// Source: `loop1987`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Loop;
+
+const NAME: &str = "Loop's scheme";
+
+impl<P> SurfaceScheme<P> for Loop
+where
+    P: Affine,
+    P::Scalar: CosineOfTurn,
+{
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn refine(&self, mesh: &Mesh<P>) -> Result<Mesh<P>, SchemeError> {
+        let connectivity = mesh.connectivity();
+        let refined = connectivity.split_triangles()?;
+        let mut points = loop_vertex_points(mesh)?;
+        points.extend(connectivity.edges().map(|e| loop_edge_point(mesh, e)));
+        Ok(Mesh::new(refined, points)?)
+    }
+}
+
+impl Loop {
+    /// One step with sharp edges and corners, and the tags of the refined mesh.
+    ///
+    /// The new vertex of a sharp edge is its middle; a vertex moves by its [`VertexRule`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cagd::subdivision::{Creases, Loop, VertexId, solids};
+    ///
+    /// let octahedron = solids::octahedron::<f64>();
+    /// // The equator is sharp.
+    /// let creases = Creases::new(octahedron.connectivity(), [[0, 1], [1, 2], [2, 3], [3, 0]], [])?;
+    /// let (refined, _) = Loop.refine_with_creases(&octahedron, &creases)?;
+    /// assert_eq!(refined.point(VertexId(0)).coordinates(), [0.75, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for one step without tags.
+    pub fn refine_with_creases<P>(
+        self,
+        mesh: &Mesh<P>,
+        creases: &Creases,
+    ) -> Result<(Mesh<P>, Creases), SchemeError>
+    where
+        P: Affine,
+        P::Scalar: CosineOfTurn,
+    {
+        let connectivity = mesh.connectivity();
+        let refined = connectivity.split_triangles()?;
+        let mut points = loop_vertex_points(mesh)?;
+        for v in connectivity.vertices() {
+            match creases.rule(connectivity, v) {
+                VertexRule::Smooth => {}
+                VertexRule::Crease(along) => points[v.index()] = crease_point(mesh, v, along),
+                VertexRule::Corner => points[v.index()] = mesh.point(v).clone(),
+            }
+        }
+        points.extend(connectivity.edges().map(|e| {
+            if creases.is_sharp(connectivity, e) {
+                middle(mesh, e)
+            } else {
+                loop_edge_point(mesh, e)
+            }
+        }));
+        let tags = creases.refined(&refined);
+        Ok((Mesh::new(refined, points)?, tags))
+    }
+}
+
+/// The new places of all old vertices, by the smooth rule inside and by the rule of curves along the boundary.
+fn loop_vertex_points<P>(mesh: &Mesh<P>) -> Result<Vec<P>, SchemeError>
+where
+    P: Affine,
+    P::Scalar: CosineOfTurn,
+{
+    let connectivity = mesh.connectivity();
+    // One pass along the edges adds up the neighbours of all vertices.
+    let mut sums = vec![P::from_fn(|_| P::Scalar::zero()); connectivity.vertex_count()];
+    let mut valences = vec![0_usize; connectivity.vertex_count()];
+    for e in connectivity.edges() {
+        let [a, b] = connectivity.edge_vertices(e);
+        for (v, neighbour) in [(a, b), (b, a)] {
+            let (sum, point) = (&sums[v.index()], mesh.point(neighbour));
+            sums[v.index()] = combined(&[(P::Scalar::one(), sum), (P::Scalar::one(), point)]);
+            valences[v.index()] += 1;
+        }
+    }
+    let mut weights: Vec<Option<[P::Scalar; 2]>> = vec![];
+    let points = connectivity.vertices().map(|v| {
+        if connectivity.is_boundary(v) {
+            return Ok(crease_point(mesh, v, boundary_neighbours(mesh, v)));
+        }
+        let valence = valences[v.index()];
+        if weights.len() <= valence {
+            weights.resize(valence + 1, None);
+        }
+        let [own, beta] = match &weights[valence] {
+            Some(known) => known.clone(),
+            None => {
+                let pair = vertex_weights(valence).map_err(|_| irrational(v, valence))?;
+                weights[valence].insert(pair).clone()
+            }
+        };
+        Ok(combined(&[(own, mesh.point(v)), (beta, &sums[v.index()])]))
+    });
+    points.collect()
+}
+
+/// The weight of a vertex and of each of its neighbours, 1 − kβ and β.
+fn vertex_weights<T: CosineOfTurn>(valence: usize) -> Result<[T; 2], CosineError> {
+    let beta = loop_beta::<T>(valence)?;
+    Ok([T::one() - beta.clone() * count(valence), beta])
+}
+
+fn irrational(vertex: VertexId, valence: usize) -> SchemeError {
+    SchemeError::Valence {
+        scheme: NAME,
+        vertex,
+        valence,
+        reason: "its weights are irrational; compute in f64, or exactly with the valences 3, 4 and 6",
+    }
+}
+
+/// The edge point: 3/8 of each end and 1/8 of each opposite vertex, on the boundary the middle.
+fn loop_edge_point<P: Affine>(mesh: &Mesh<P>, e: EdgeId) -> P {
+    let connectivity = mesh.connectivity();
+    let h = connectivity.edge_half_edge(e);
+    let g = connectivity.flip(h);
+    if connectivity.face(g).is_none() {
+        return middle(mesh, e);
+    }
+    let [a, b] = [h, g].map(|h| mesh.point(connectivity.origin(h)));
+    let [c, d] = [h, g].map(|h| mesh.point(connectivity.origin(connectivity.prev(h))));
+    let [end, _, opposite, _] = loop_edge_weights::<P::Scalar>();
+    P::from_fn(|k| {
+        let x = |point: &P| point.coordinates()[k].clone();
+        end.clone() * (x(a) + x(b)) + opposite.clone() * (x(c) + x(d))
+    })
+}
+
+pub(super) fn middle<P: Affine>(mesh: &Mesh<P>, e: EdgeId) -> P {
+    let [a, b] = mesh.connectivity().edge_vertices(e).map(|v| mesh.point(v));
+    a.lerp(b, P::Scalar::from_ratio(1, 2))
+}
+
+/// The neighbours of a boundary vertex along the boundary, the next one and the one before.
+pub(super) fn boundary_neighbours<P: Affine>(mesh: &Mesh<P>, v: VertexId) -> [VertexId; 2] {
+    let connectivity = mesh.connectivity();
+    let h: HalfEdgeId = connectivity.vertex_half_edge(v);
+    [
+        connectivity.destination(h),
+        connectivity.origin(connectivity.prev(h)),
+    ]
+}
+
+fn crease_point<P: Affine>(mesh: &Mesh<P>, v: VertexId, along: [VertexId; 2]) -> P {
+    let [own, one, other] = loop_boundary_weights::<P::Scalar>();
+    let [a, b] = along.map(|v| mesh.point(v));
+    combined(&[(own, mesh.point(v)), (one, a), (other, b)])
+}
+
+/// Σ weight · point, whatever the weights sum to.
+pub(super) fn combined<P: Affine>(terms: &[(P::Scalar, &P)]) -> P {
+    P::from_fn(|k| {
+        terms
+            .iter()
+            .fold(P::Scalar::zero(), |sum, (weight, point)| {
+                sum + weight.clone() * point.coordinates()[k].clone()
+            })
+    })
+}
 
 /// The weight β = (1/k)·(5/8 − (3/8 + cos(2π/k)/4)²) of each neighbour of an inner vertex of valence k.
 ///

@@ -11,6 +11,9 @@
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
 //! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
+//! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
+//! - [`loop_scheme`], [`butterfly`] — schemes for triangle meshes,
+//! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
 //!
 //! the theorems are in [`laws`].
 
@@ -57,7 +60,8 @@ pub mod computed;
 
 pub use box_spline::box_spline_222;
 pub use butterfly::{
-    butterfly_centre_weight, butterfly_cosine_formula, butterfly_star_weights, butterfly_weights,
+    Butterfly, butterfly_centre_weight, butterfly_cosine_formula, butterfly_star_weights,
+    butterfly_weights,
 };
 pub use catmull_clark::{
     CatmullClark, QuadrilateralStar, catmull_clark_limit_weights, catmull_clark_tangent_factor,
@@ -75,8 +79,8 @@ pub use laurent::LaurentPolynomial;
 pub use limit_stencil::{LimitStencil, LimitStencilError};
 pub use local_matrix::LocalMatrix;
 pub use loop_scheme::{
-    loop_beta, loop_boundary_weights, loop_edge_weights, loop_lattice_mask, loop_limit_weight,
-    loop_subdominant_eigenvalue,
+    Loop, loop_beta, loop_boundary_weights, loop_edge_weights, loop_lattice_mask,
+    loop_limit_weight, loop_subdominant_eigenvalue,
 };
 pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
