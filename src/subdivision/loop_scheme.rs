@@ -5,6 +5,7 @@ use num_traits::{One, Zero};
 use super::cosine::{CosineError, CosineOfTurn};
 use super::creases::{Creases, VertexRule};
 use super::lattice_mask::{LatticeIndex, LatticeMask};
+use super::stencil::count;
 use super::{EdgeId, HalfEdgeId, Mesh, SchemeError, SurfaceScheme, VertexId};
 use crate::affine::Affine;
 use crate::scalar::Scalar;
@@ -17,7 +18,7 @@ use crate::scalar::Scalar;
 /// boundary       (a + b)/2 and (6v + a + b)/8      a and b the ends of the edge, or the neighbours along the boundary
 /// ```
 ///
-/// [`refine_with_creases`](Self::refine_with_creases) treats sharp edges like the boundary.
+/// [`refine_creased`](Self::refine_creased) treats sharp edges like the boundary.
 ///
 /// # Examples
 ///
@@ -73,20 +74,23 @@ impl Loop {
     /// # Examples
     ///
     /// ```
+    /// use cagd::affine::Point;
     /// use cagd::subdivision::{Creases, Loop, VertexId, solids};
     ///
     /// let octahedron = solids::octahedron::<f64>();
-    /// // The equator is sharp.
-    /// let creases = Creases::new(octahedron.connectivity(), [[0, 1], [1, 2], [2, 3], [3, 0]], [])?;
-    /// let (refined, _) = Loop.refine_with_creases(&octahedron, &creases)?;
-    /// assert_eq!(refined.point(VertexId(0)).coordinates(), [0.75, 0.0, 0.0]);
+    /// let mesh = octahedron.connectivity();
+    /// // The equator, vertices 0 to 3, is sharp.
+    /// let equator = mesh.edges().filter(|&e| mesh.edge_vertices(e).iter().all(|v| v.0 < 4));
+    /// let creases = Creases::new(mesh, equator, [])?;
+    /// let (refined, _) = Loop.refine_creased(&octahedron, &creases)?;
+    /// assert_eq!(refined.point(VertexId(0)), &Point::new([0.75, 0.0, 0.0]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     ///
     /// As for one step without tags.
-    pub fn refine_with_creases<P>(
+    pub fn refine_creased<P>(
         self,
         mesh: &Mesh<P>,
         creases: &Creases,
@@ -188,7 +192,7 @@ fn loop_edge_point<P: Affine>(mesh: &Mesh<P>, e: EdgeId) -> P {
     })
 }
 
-pub(super) fn middle<P: Affine>(mesh: &Mesh<P>, e: EdgeId) -> P {
+fn middle<P: Affine>(mesh: &Mesh<P>, e: EdgeId) -> P {
     let [a, b] = mesh.connectivity().edge_vertices(e).map(|v| mesh.point(v));
     a.lerp(b, P::Scalar::from_ratio(1, 2))
 }
@@ -340,8 +344,4 @@ pub fn loop_lattice_mask<T: CosineOfTurn>() -> Result<LatticeMask<T>, CosineErro
     Ok(LatticeMask::new(
         std::iter::once(centre).chain(around).chain(across),
     ))
-}
-
-fn count<T: Scalar>(valence: usize) -> T {
-    T::from_integer(i64::try_from(valence).unwrap_or(i64::MAX))
 }

@@ -12,7 +12,8 @@
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
 //! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
-//! - [`loop_scheme`], [`butterfly`] — schemes for triangle meshes,
+//! - [`fan`], [`subdivision_matrix`], [`spectrum`], [`characteristic_map`] — what happens around an extraordinary point,
+//! - [`loop_scheme`], [`loop_limit`], [`butterfly`] — schemes for triangle meshes,
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
 //!
 //! the theorems are in [`laws`].
@@ -20,21 +21,26 @@
 pub mod box_spline;
 pub mod butterfly;
 pub mod catmull_clark;
+pub mod characteristic_map;
 pub mod contractivity;
 pub mod corner_cutting;
 pub mod cosine;
 pub mod creases;
 pub mod doo_sabin;
+pub mod fan;
 pub mod four_point;
 pub mod kobbelt;
 pub mod lattice_mask;
 pub mod laurent;
 pub mod limit_stencil;
 pub mod local_matrix;
+pub mod loop_limit;
 pub mod loop_scheme;
 pub mod mask;
 pub mod polygon;
 pub mod scheme_kind;
+pub mod spectrum;
+pub mod subdivision_matrix;
 
 mod mesh;
 mod refiner;
@@ -67,10 +73,12 @@ pub use catmull_clark::{
     CatmullClark, QuadrilateralStar, catmull_clark_limit_weights, catmull_clark_tangent_factor,
     catmull_clark_vertex_weights,
 };
+pub use characteristic_map::{CharacteristicMap, CharacteristicMapTest, CharacteristicRing};
 pub use contractivity::{Contraction, Smoothness, norm_between};
 pub use cosine::{CosineError, CosineOfTurn};
 pub use creases::{CreaseError, Creases, VertexRule};
 pub use doo_sabin::{DooSabin, doo_sabin_face, doo_sabin_weights};
+pub use fan::{Fan, FanNet};
 pub use four_point::{critical_tension, four_point_differences, four_point_rule};
 pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights};
 pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights, kobbelt_weights};
@@ -78,6 +86,7 @@ pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;
 pub use limit_stencil::{LimitStencil, LimitStencilError};
 pub use local_matrix::LocalMatrix;
+pub use loop_limit::{loop_boundary_tangent_weights, loop_tangent_weights};
 pub use loop_scheme::{
     Loop, loop_beta, loop_boundary_weights, loop_edge_weights, loop_lattice_mask,
     loop_limit_weight, loop_subdominant_eigenvalue,
