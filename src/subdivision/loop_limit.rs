@@ -1,6 +1,6 @@
 //! Limit positions, tangents and normals of Loop's scheme.
 
-use num_traits::{One as _, Zero as _};
+use num_traits::One as _;
 
 use super::cosine::{CosineError, CosineOfTurn};
 use super::loop_scheme::{Loop, boundary_neighbours, loop_limit_weight};

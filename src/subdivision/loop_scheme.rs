@@ -33,7 +33,7 @@ use crate::scalar::Scalar;
 /// assert_eq!((mesh.vertex_count(), mesh.edge_count(), mesh.face_count()), (18, 48, 32));
 ///
 /// let ratio = BigRational::from_ratio;
-/// assert_eq!(refined.point(VertexId(0)), &Point::new([ratio(9, 64), ratio(0, 1), ratio(0, 1)]));
+/// assert_eq!(refined.point(VertexId(0)), &Point::new([ratio(33, 64), ratio(0, 1), ratio(0, 1)]));
 /// # Ok::<(), cagd::subdivision::SchemeError>(())
 /// ```
 ///

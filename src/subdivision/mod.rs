@@ -94,6 +94,8 @@ pub use loop_scheme::{
 pub use mask::{Mask, MaskError};
 pub use polygon::{Closing, ControlPolygon, ControlPolygonError};
 pub use scheme_kind::SchemeKind;
+pub use spectrum::{Eigenvalue, Spectrum, eigenvector};
+pub use subdivision_matrix::{SubdivisionMatrix, SubdivisionMatrixError};
 
 /// The chapter's pages, so that `cargo test` runs each of their Rust blocks.
 #[cfg(doctest)]
@@ -110,10 +112,16 @@ mod chapter {
     mod limit_points {}
     #[doc = include_str!("../../book/src/subdivision/meshes.md")]
     mod meshes {}
+    #[doc = include_str!("../../book/src/subdivision/loop.md")]
+    mod loop_scheme {}
+    #[doc = include_str!("../../book/src/subdivision/butterfly.md")]
+    mod butterfly {}
     #[doc = include_str!("../../book/src/subdivision/catmull-clark.md")]
     mod catmull_clark {}
     #[doc = include_str!("../../book/src/subdivision/doo-sabin.md")]
     mod doo_sabin {}
     #[doc = include_str!("../../book/src/subdivision/kobbelt.md")]
     mod kobbelt {}
+    #[doc = include_str!("../../book/src/subdivision/eigenstructure.md")]
+    mod eigenstructure {}
 }

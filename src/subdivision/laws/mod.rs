@@ -2,9 +2,11 @@
 //!
 //! Bounds for rounding are stated with u = 2⁻⁵³ as in [`law`](crate::law).
 
+mod butterfly;
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod eigenstructure;
 mod four_point;
 mod kobbelt;
 mod limit_points;
@@ -13,9 +15,11 @@ mod meshes;
 mod symbols;
 mod uniform_splines;
 
+pub use butterfly::*;
 pub use catmull_clark::*;
 pub use corner_cutting::*;
 pub use doo_sabin::*;
+pub use eigenstructure::*;
 pub use four_point::*;
 pub use kobbelt::*;
 pub use limit_points::*;

@@ -1,5 +1,6 @@
 //! The laws of the chapter on subdivision, in its sections.
 
+mod butterfly;
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;

@@ -1,8 +1,10 @@
 //! The laws of the chapter on subdivision, in its sections.
 
+mod butterfly;
 mod catmull_clark;
 mod corner_cutting;
 mod doo_sabin;
+mod eigenstructure;
 mod four_point;
 mod kobbelt;
 mod limit_points;

@@ -1,7 +1,12 @@
 //! Wrong ideas of Loop's scheme.
 
+use cagd::affine::{Affine, Point, Vector};
 use cagd::scalar::OrderedScalar;
-use cagd::subdivision::{CosineOfTurn, LatticeMask, box_spline_222, loop_lattice_mask};
+use cagd::subdivision::laws::Refined;
+use cagd::subdivision::{
+    CosineOfTurn, LatticeMask, Loop, Mesh, SchemeError, SurfaceScheme, VertexId, box_spline_222,
+    loop_lattice_mask,
+};
 
 /// Leaves old vertices where they are and puts new ones into the middles of edges.
 pub fn linear_mask<T: CosineOfTurn>() -> LatticeMask<T> {
@@ -49,4 +54,72 @@ pub fn hat<T: OrderedScalar>(x: &[T; 2]) -> T {
     (-1..=1)
         .flat_map(|i| (-1..=1).map(move |j| (i, j)))
         .fold(T::zero(), |sum, (i, j)| sum + values(i, j) * height(i, j))
+}
+
+/// Gives the neighbours of every vertex the weight 1/16, which is right for valence 6.
+pub fn regular_weights_everywhere<T: CosineOfTurn>(
+    mesh: &Mesh<Point<T, 3>>,
+) -> Refined<Point<T, 3>> {
+    let refined = Loop.refine(mesh)?;
+    let old = mesh.connectivity();
+    let mut points = refined.points().to_vec();
+    for v in old.vertices().filter(|&v| !old.is_boundary(v)) {
+        let k = old.valence(v) as i64;
+        points[v.index()] = Point::new([0, 1, 2].map(|axis: usize| {
+            let own = mesh.point(v)[axis].clone() * T::from_ratio(16 - k, 16);
+            let neighbours = old.neighbours(v).map(|n| mesh.point(n)[axis].clone());
+            neighbours.fold(own, |sum, x| sum + x * T::from_ratio(1, 16))
+        }));
+    }
+    Ok(Mesh::new(refined.connectivity().clone(), points)?)
+}
+
+/// Puts the new vertices into the middles of the edges.
+pub fn midpoints<T: CosineOfTurn>(mesh: &Mesh<Point<T, 3>>) -> Refined<Point<T, 3>> {
+    let refined = Loop.refine(mesh)?;
+    let old = mesh.connectivity();
+    let mut points = refined.points().to_vec();
+    for e in old.edges() {
+        let [a, b] = old.edge_vertices(e).map(|v| mesh.point(v));
+        points[old.vertex_count() + e.index()] = a.lerp(b, T::from_ratio(1, 2));
+    }
+    Ok(Mesh::new(refined.connectivity().clone(), points)?)
+}
+
+/// Takes the weights of the regular limit stencil, 6 and 1, at every valence.
+pub fn regular_limit<T: CosineOfTurn>(
+    mesh: &Mesh<Point<T, 3>>,
+    v: VertexId,
+) -> Result<Point<T, 3>, SchemeError> {
+    let old = mesh.connectivity();
+    if old.is_boundary(v) {
+        return Loop.limit_point(mesh, v);
+    }
+    let k = old.valence(v) as i64;
+    Ok(Point::new([0, 1, 2].map(|axis: usize| {
+        let own = mesh.point(v)[axis].clone() * T::from_ratio(6, 6 + k);
+        let neighbours = old.neighbours(v).map(|n| mesh.point(n)[axis].clone());
+        neighbours.fold(own, |sum, x| sum + x * T::from_ratio(1, 6 + k))
+    })))
+}
+
+/// Takes the vertex point of the next step for the limit.
+pub fn one_step<T: CosineOfTurn>(
+    mesh: &Mesh<Point<T, 3>>,
+    v: VertexId,
+) -> Result<Point<T, 3>, SchemeError> {
+    Ok(Loop.refine(mesh)?.point(v).clone())
+}
+
+/// Takes two edges for the tangents.
+pub fn edges_as_tangents<T: CosineOfTurn>(
+    mesh: &Mesh<Point<T, 3>>,
+    v: VertexId,
+) -> Result<[Vector<T, 3>; 2], SchemeError> {
+    let mut ring = mesh.connectivity().neighbours(v).cycle();
+    let mut edge = || match ring.next() {
+        Some(n) => mesh.point(n).clone() - mesh.point(v).clone(),
+        None => Vector::zeros(),
+    };
+    Ok([edge(), edge()])
 }

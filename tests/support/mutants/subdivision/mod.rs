@@ -1,8 +1,10 @@
 //! Wrong subdivision, in the sections of the chapter.
 
+pub mod butterfly;
 pub mod catmull_clark;
 pub mod corner_cutting;
 pub mod doo_sabin;
+pub mod eigenstructure;
 pub mod four_point;
 pub mod kobbelt;
 pub mod limit_points;

@@ -1,0 +1,132 @@
+//! Figures of the section on eigenvalues and characteristic maps.
+
+use crate::affine::Point;
+use crate::figure::{Axes, BoxError, Canvas, Figure, PointStyle, Style, Surface, View};
+use crate::subdivision::{
+    Butterfly, CatmullClark, CharacteristicMap, DooSabin, FanNet, Kobbelt, Loop, Spectrum,
+    SubdivisionMatrix, SubdivisionMatrixError, SurfaceScheme,
+};
+
+pub(super) fn all() -> Vec<Figure> {
+    vec![matrix(), characteristic_map()]
+}
+
+/// λ and |λ₃| of a scheme at one valence.
+fn pair(
+    scheme: &impl SurfaceScheme<f64>,
+    net: FanNet,
+    valence: usize,
+    rings: usize,
+) -> Result<[f64; 2], SubdivisionMatrixError> {
+    let spectrum = Spectrum::of(&SubdivisionMatrix::extract(scheme, net, valence, rings)?);
+    let third = spectrum.eigenvalues()[3].value.norm();
+    Ok([spectrum.subdominant().value.norm(), third])
+}
+
+/// The eigenvalues λ and |λ₃| of all five schemes against the valence.
+#[must_use]
+pub fn matrix() -> Figure {
+    const PANELS: [&str; 2] = ["lambda", "third"];
+    const SCHEMES: [&str; 5] = [
+        "Loop",
+        "modified Butterfly",
+        "Catmull–Clark",
+        "Doo–Sabin",
+        "Kobbelt",
+    ];
+    Figure::new(
+        "subdivision-matrix",
+        "Eigenvalues of the subdivision matrices against the valence",
+        "Two diagrams with the valence from 3 to 12 on the horizontal axis and five broken lines, one for each scheme. \
+         The upper diagram shows the double subdominant eigenvalue: it is one half for the modified Butterfly scheme and that of Doo and Sabin, \
+         and grows with the valence for the other three. The lower diagram shows the absolute value of the next eigenvalue, which is smaller everywhere.",
+    )
+    .rows(&[&PANELS[..1], &PANELS[1..]])
+    .draw(|_, canvas| {
+        let mut lines = vec![[vec![], vec![]]; SCHEMES.len()];
+        for k in 3..=12 {
+            let pairs = [
+                pair(&Loop, FanNet::Triangles, k, 1)?,
+                pair(&Butterfly::MODIFIED, FanNet::Triangles, k, 2)?,
+                pair(&CatmullClark, FanNet::Quadrilaterals, k, 1)?,
+                pair(&DooSabin, FanNet::AroundFace, k, 2)?,
+                pair(&Kobbelt, FanNet::Quadrilaterals, k, 2)?,
+            ];
+            for (line, pair) in lines.iter_mut().zip(pairs) {
+                for (line, value) in line.iter_mut().zip(pair) {
+                    line.push([k as f64, value]);
+                }
+            }
+        }
+        for (i, panel) in PANELS.into_iter().enumerate() {
+            canvas.panel(panel);
+            canvas.axes(Axes::new("k", ["\\lambda", "|\\lambda_3|"][i]));
+            canvas.window([2.5, 0.1], [12.5, 0.8]);
+            for (s, (line, name)) in lines.iter().zip(SCHEMES).enumerate() {
+                canvas.polyline(name, line[i].iter().copied(), Style::Series(s));
+                canvas.legend(name, Style::Series(s));
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The ring of a characteristic map with what the test says of it.
+fn ring(
+    canvas: &mut Canvas,
+    name: &str,
+    scheme: &(impl SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>),
+    net: FanNet,
+    valence: usize,
+    steps: usize,
+) -> Result<(), BoxError> {
+    let map = CharacteristicMap::of(scheme, net, valence)?;
+    let ring = map.ring(scheme, steps)?;
+    let test = map.test(scheme, steps)?;
+    let mut faces = vec![];
+    let mut points = vec![];
+    for face in &ring.faces {
+        let first = points.len() as u32;
+        faces.push((first..first + face.len() as u32).collect());
+        points.extend(face.iter().map(|p| Point::new([p[0], p[1], 0.0])));
+    }
+    canvas.caption(&format!(
+        "{name}, $k = {valence}$: {} of {} faces turned over, winding number {}",
+        test.not_positive, test.faces, test.winding_number
+    ));
+    canvas.surface("ring", &View::from_above(), &Surface::new(points, faces));
+    let border = ring.inner_border.iter();
+    canvas.polyline(
+        "inner border",
+        border.chain(ring.inner_border.first()),
+        Style::Tangent,
+    );
+    canvas.point("centre", [0.0, 0.0], PointStyle::Guide);
+    Ok(())
+}
+
+/// The characteristic net of a scheme, refined, with orientation and winding number.
+#[must_use]
+pub fn characteristic_map() -> Figure {
+    Figure::new(
+        "subdivision-characteristic-map",
+        "The ring of a characteristic map",
+        "A ring of small faces in the plane with k-fold symmetry around its centre, and its inner border as a line. \
+         The text above names the scheme and the valence and says how many faces are turned over, and how often the ring runs around the centre. \
+         The schemes are, in this order: Loop, modified Butterfly, Catmull–Clark, Doo–Sabin, Kobbelt, and the unmodified Butterfly scheme.",
+    )
+    .stepper("scheme", 1..=6, 1)
+    .stepper("k", 3..=12, 5)
+    .stepper("steps", 0..=2, 1)
+    .draw(|values, canvas| {
+        let (k, steps) = (values.count("k")?, values.count("steps")?);
+        match values.count("scheme")? {
+            1 => ring(canvas, "Loop", &Loop, FanNet::Triangles, k, steps),
+            2 => ring(canvas, "modified Butterfly", &Butterfly::MODIFIED, FanNet::Triangles, k, steps),
+            3 => ring(canvas, "Catmull–Clark", &CatmullClark, FanNet::Quadrilaterals, k, steps),
+            4 => ring(canvas, "Doo–Sabin", &DooSabin, FanNet::AroundFace, k, steps),
+            5 => ring(canvas, "Kobbelt", &Kobbelt, FanNet::Quadrilaterals, k, steps),
+            _ => ring(canvas, "unmodified Butterfly", &Butterfly::UNMODIFIED, FanNet::Triangles, k, steps),
+        }
+    })
+}
