@@ -80,10 +80,29 @@ impl Rounding {
     }
 }
 
+/// How the two sides of a claim compare, number by number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// The left side equals the right one.
+    Equal,
+    /// The left side is at most the right one.
+    AtMost,
+}
+
+impl fmt::Display for Relation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Equal => "=",
+            Self::AtMost => "≤",
+        })
+    }
+}
+
 /// One claim: two sides, and how each pair of numbers compares.
 #[derive(Debug, Clone)]
 struct Clause<T> {
     name: String,
+    relation: Relation,
     left: Vec<T>,
     right: Vec<T>,
     /// For each pair: whether the relation holds as it stands, and by how much the left exceeds the right.
@@ -119,19 +138,27 @@ impl<T: Scalar> Sides<T> {
         right: impl IntoIterator<Item = T>,
         rounding: Rounding,
     ) -> Self {
-        self.claim(name, left, right, rounding, |left, right| {
-            // Of equal numbers the difference need not be computed, which exact numbers are slow at.
-            if left == right {
-                (true, 0.0)
-            } else {
-                (false, (left.clone() - right.clone()).magnitude())
-            }
-        })
+        self.claim(
+            name,
+            Relation::Equal,
+            left,
+            right,
+            rounding,
+            |left, right| {
+                // Of equal numbers the difference need not be computed, which exact numbers are slow at.
+                if left == right {
+                    (true, 0.0)
+                } else {
+                    (false, (left.clone() - right.clone()).magnitude())
+                }
+            },
+        )
     }
 
     fn claim(
         mut self,
         name: impl Into<String>,
+        relation: Relation,
         left: impl IntoIterator<Item = T>,
         right: impl IntoIterator<Item = T>,
         rounding: Rounding,
@@ -145,6 +172,7 @@ impl<T: Scalar> Sides<T> {
             .map(|(left, right)| compare(left, right));
         self.clauses.push(Clause {
             name: name.into(),
+            relation,
             pairs: pairs.collect(),
             left,
             right,
@@ -198,6 +226,7 @@ impl<T: Scalar> Sides<T> {
     pub fn readings(&self) -> impl Iterator<Item = Reading<'_, T>> {
         self.clauses.iter().map(|clause| Reading {
             claim: &clause.name,
+            relation: clause.relation,
             left: &clause.left,
             right: &clause.right,
             residual: clause.residual(),
@@ -219,9 +248,14 @@ impl<T: OrderedScalar> Sides<T> {
         right: impl IntoIterator<Item = T>,
         rounding: Rounding,
     ) -> Self {
-        self.claim(name, left, right, rounding, |left, right| {
-            (left <= right, (left.clone() - right.clone()).to_f64())
-        })
+        self.claim(
+            name,
+            Relation::AtMost,
+            left,
+            right,
+            rounding,
+            |left, right| (left <= right, (left.clone() - right.clone()).to_f64()),
+        )
     }
 }
 
@@ -258,6 +292,8 @@ impl<T: Scalar> Clause<T> {
 pub struct Reading<'a, T> {
     /// What is claimed.
     pub claim: &'a str,
+    /// How the sides compare.
+    pub relation: Relation,
     /// The left side.
     pub left: &'a [T],
     /// The right side.

@@ -10,23 +10,20 @@
             figures.set(figure.dataset.figure, figure);
         }
     }
-    if (figures.size === 0) {
-        return;
-    }
     const root = document.currentScript.src.replace(/[^/]*$/, '').replace(/theme\/$/, '');
 
     // ---- Who answers ----
 
-    /** Answers a question in the page; the promise fails where there is no wasm build. */
-    async function fromWasm() {
+    /** Answers a question about a part of the figures in the page; the promise fails where there is no wasm build. */
+    async function fromWasm(part) {
         await new Promise((resolve, reject) => {
             const script = document.createElement('script');
-            script.src = root + 'figures.js';
+            script.src = root + 'figures-' + part + '.js';
             script.onload = resolve;
             script.onerror = () => reject(new Error('this site was built without live figures'));
             document.head.append(script);
         });
-        const packed = Uint8Array.from(atob(window.cagdFigures), c => c.charCodeAt(0));
+        const packed = Uint8Array.from(atob(window.cagdFigures[part]), c => c.charCodeAt(0));
         const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
         const module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
         // What the drawing code never calls is imported all the same.
@@ -65,24 +62,27 @@
         };
     }
 
-    let answering;
-    /** The one who answers, found once. */
-    function ask() {
-        answering ??= window.workbookServer ? Promise.resolve(fromServer()) : fromWasm();
-        return answering;
+    const answering = {};
+    /** The one who answers for a part of the figures, found once. */
+    function ask(part) {
+        answering[part] ??= window.workbookServer ? Promise.resolve(fromServer()) : fromWasm(part);
+        return answering[part];
     }
 
-    // For tests, which compare the two ways and measure them.
+    // For tableaux, which are judged by the same program, and for tests, which compare the two ways and measure them.
     window.workbookAsk = ask;
-    window.workbookShow = (id, text) => alive.get(id).show(read(text));
+    if (figures.size === 0) {
+        return;
+    }
     const alive = new Map();
+    window.workbookShow = (id, text) => alive.get(id).show(read(text));
 
     // ---- What an answer says ----
 
     /** The facts of an answer by name, and its picture. */
     function read(text) {
         const end = text.indexOf('\n\n');
-        const facts = { handle: [], slider: [], stepper: [], law: [], svg: text.slice(end + 2) };
+        const facts = { handle: [], slider: [], stepper: [], law: [], remark: [], svg: text.slice(end + 2) };
         for (const line of text.slice(0, end).split('\n')) {
             const [name, ...fields] = line.split('\t');
             if (Array.isArray(facts[name])) {
@@ -109,6 +109,47 @@
         return made;
     };
 
+    /**
+     * Makes a drawing look like another one and returns it. What is the same stays, so that the browser need not lay
+     * it out again: most of a picture does not change from one step of a drag to the next.
+     */
+    function become(old, fresh) {
+        if (old.isEqualNode(fresh)) {
+            return old;
+        }
+        const [before, after] = [[...old.childNodes], [...fresh.childNodes]];
+        if (old.nodeName !== fresh.nodeName || before.length !== after.length) {
+            old.replaceWith(fresh);
+            return fresh;
+        }
+        if (old.nodeType !== Node.ELEMENT_NODE) {
+            if (old.nodeValue !== fresh.nodeValue) {
+                old.nodeValue = fresh.nodeValue;
+            }
+            return old;
+        }
+        for (const name of fresh.getAttributeNames()) {
+            const value = fresh.getAttribute(name);
+            if (old.getAttribute(name) !== value) {
+                old.setAttribute(name, value);
+            }
+        }
+        for (const name of old.getAttributeNames()) {
+            if (!fresh.hasAttribute(name)) {
+                old.removeAttribute(name);
+            }
+        }
+        before.forEach((child, i) => become(child, after[i]));
+        return old;
+    }
+
+    /** Writes a text where another one stands; the same again would be work for the browser. */
+    const write = (element, text) => {
+        if (element.textContent !== text) {
+            element.textContent = text;
+        }
+    };
+
     class Live {
         constructor(figure) {
             this.figure = figure;
@@ -128,7 +169,10 @@
             this.svg.replaceWith(this.picture);
             this.picture.append(this.svg);
             this.panel = element('div', { className: 'live-controls' });
-            this.laws = element('table', { className: 'live-laws', hidden: true });
+            this.laws = element('div', { className: 'live-laws', hidden: true });
+            this.remarks = element('p', { className: 'live-remark', hidden: true });
+            // Read out when it appears, not at every step of a drag.
+            this.remarks.setAttribute('role', 'status');
             this.say = element('output', { className: 'live-say' });
             const button = (text, title, act) => {
                 const made = element('button', { type: 'button', textContent: text, title });
@@ -140,7 +184,7 @@
                 button('Reset', 'As the book shows it', () => this.reset()),
                 button('Link', 'Copy a link that shows exactly this', event => this.link(event.target)),
                 button('SVG', 'Save the picture', () => this.save()));
-            this.picture.after(this.panel, this.tools, this.laws);
+            this.picture.after(this.panel, this.tools, this.remarks, this.laws);
             this.figure.classList.add('live');
             await this.draw('');
         }
@@ -186,14 +230,14 @@
                     style.remove();
                 }
             }
-            this.svg.replaceWith(svg);
-            this.svg = svg;
+            this.svg = become(this.svg, svg);
             this.size = facts.size.map(Number);
             this.picture.style.aspectRatio = facts.size.join(' / ');
             facts.handle.forEach(fields => this.placeHandle(fields));
             facts.slider.forEach(fields => this.placeControl(fields, 'any'));
             facts.stepper.forEach(fields => this.placeControl(fields, 1));
             this.showLaws(facts.law);
+            this.showRemarks(facts.remark);
         }
 
         complain(message) {
@@ -337,17 +381,45 @@
             this.draw('');
         }
 
+        /** Both sides of every claim; what is there already is only told the new numbers. */
         showLaws(laws) {
-            this.laws.hidden = laws.length === 0;
-            const cell = (text, className = '') => element('td', { textContent: text, className });
-            this.laws.replaceChildren(...laws.map(([claim, left, right, residual, allowed, holds]) =>
-                element('tr', { className: holds },
-                    cell(claim), cell(left), cell(right),
-                    cell(residual === '' ? '' : 'apart by ' + residual), cell(holds === 'holds' ? '✓' : '✗'))));
-            if (laws.length > 0) {
-                const head = ['Law', 'left side', 'right side', 'residual', ''].map(text => element('th', { textContent: text }));
-                this.laws.prepend(element('tr', {}, ...head));
+            const shape = laws.map(([statement, claim, , sign]) => [statement, claim, sign].join('\t')).join('\n');
+            if (shape !== this.shape) {
+                this.shape = shape;
+                this.rows = [];
+                const parts = [];
+                let last = null;
+                for (const [statement, claim, , sign] of laws) {
+                    if (statement !== last) {
+                        last = statement;
+                        const name = this.figure.querySelector('[data-law="' + CSS.escape(statement) + '"]');
+                        parts.push(element('p', { className: 'live-law' }, name ? name.firstChild.cloneNode(true) : statement));
+                    }
+                    const [left, right] = ['live-left', 'live-right'].map(className => element('span', { className }));
+                    const agreement = element('span', { className: 'live-agreement' });
+                    const row = element('div', { className: 'live-claim' },
+                        element('span', { className: 'live-words', textContent: claim }),
+                        element('span', { className: 'live-sides' }, left, ' ' + sign + ' ', right),
+                        agreement);
+                    this.rows.push({ row, left, right, agreement });
+                    parts.push(row);
+                }
+                this.laws.replaceChildren(...parts);
+                this.laws.hidden = laws.length === 0;
             }
+            laws.forEach(([, , left, , right, agreement, holds], i) => {
+                const shown = this.rows[i];
+                write(shown.left, left);
+                write(shown.right, right);
+                write(shown.agreement, (holds === 'holds' ? '✓ holds ' : '✗ fails ') + agreement);
+                shown.row.classList.toggle('fails', holds !== 'holds');
+            });
+        }
+
+        /** What is special about this position. */
+        showRemarks(remarks) {
+            write(this.remarks, remarks.join(' '));
+            this.remarks.hidden = remarks.length === 0;
         }
 
         reset() {
@@ -392,7 +464,7 @@
     const observer = new IntersectionObserver(entries => {
         for (const entry of entries.filter(entry => entry.isIntersecting)) {
             observer.unobserve(entry.target);
-            ask().then(
+            ask(entry.target.dataset.part).then(
                 answer => {
                     const live = new Live(entry.target);
                     alive.set(live.id, live);

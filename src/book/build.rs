@@ -42,7 +42,7 @@ pub fn build_with(
     root: &Path,
     out: &Path,
     workbook: Workbook,
-    more: &[(&str, Vec<u8>)],
+    more: &[(String, Vec<u8>)],
 ) -> Result<BuildReport, BookErrors> {
     let start = Instant::now();
     let root = std::path::absolute(root).map_err(|e| unwritable(out, &e))?;

@@ -1,11 +1,13 @@
 //! The registry: which figures the chapters draw and which texts they compute.
 //!
-//! A chapter adds itself here once; adding a figure or a computed text afterwards touches the chapter's files alone.
+//! A chapter adds its computed texts here once, and its figures to the [gallery]; adding a figure or a computed
+//! text afterwards touches the chapter's files alone.
 
 use std::collections::BTreeMap;
 
 use super::error::{Problem, most_similar};
-use crate::figure::Figure;
+use crate::figure::{Figure, FigureError};
+use crate::gallery;
 
 /// A figure as the book needs it.
 pub struct RegisteredFigure {
@@ -15,10 +17,35 @@ pub struct RegisteredFigure {
     pub title: String,
     /// What it shows, for those who cannot see it.
     pub description: String,
-    /// Whether a reader can change something in it.
-    pub live: bool,
-    /// Draws it with its default parameters, as SVG.
-    pub draw: Box<dyn Fn() -> Result<String, String> + Send + Sync>,
+    /// The part of the gallery that draws it again with a reader's values, if it has any.
+    pub live: Option<&'static str>,
+    /// Draws it with its default parameters.
+    pub draw: Box<dyn Fn() -> Result<Drawing, String> + Send + Sync>,
+}
+
+/// A figure that was drawn.
+#[derive(Debug, Clone, Default)]
+pub struct Drawing {
+    /// The picture.
+    pub svg: String,
+    /// The statements whose laws it shows to a reader who changes something, each once.
+    pub laws: Vec<String>,
+}
+
+impl Drawing {
+    fn of(figure: &Figure) -> Result<Self, FigureError> {
+        let plot = figure.plot(&figure.defaults())?;
+        let mut laws: Vec<String> = Vec::new();
+        for reading in plot.readings() {
+            if !laws.contains(&reading.statement) {
+                laws.push(reading.statement.clone());
+            }
+        }
+        Ok(Self {
+            svg: plot.svg(),
+            laws,
+        })
+    }
 }
 
 /// A function that computes Markdown.
@@ -35,25 +62,26 @@ impl Registry {
     /// The figures and computed texts of all chapters.
     pub fn of_all_chapters() -> Self {
         use crate::{affine, bezier, subdivision};
-        Self::default()
-            .with_figures(affine::figures::all())
+        gallery::PARTS
+            .iter()
+            .fold(Self::default(), |registry, (part, figures)| {
+                registry.with_figures(part, figures())
+            })
             .with_all_computed("affine", affine::computed::all())
-            .with_figures(bezier::figures::all())
             .with_all_computed("bezier", bezier::computed::all())
-            .with_figures(subdivision::figures::all())
             .with_all_computed("subdivision", subdivision::computed::all())
     }
 
-    /// Adds the figures of a chapter.
+    /// Adds the figures of a part of the gallery.
     #[must_use]
-    fn with_figures(self, figures: Vec<Figure>) -> Self {
+    fn with_figures(self, part: &'static str, figures: Vec<Figure>) -> Self {
         figures.into_iter().fold(self, |registry, figure| {
             registry.with_figure(RegisteredFigure {
                 id: figure.id().to_owned(),
                 title: figure.title().to_owned(),
                 description: figure.description().to_owned(),
-                live: !figure.parameters().is_empty(),
-                draw: Box::new(move || figure.svg().map_err(|e| e.to_string())),
+                live: (!figure.parameters().is_empty()).then_some(part),
+                draw: Box::new(move || Drawing::of(&figure).map_err(|e| e.to_string())),
             })
         })
     }

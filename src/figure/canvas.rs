@@ -30,7 +30,15 @@ pub struct Canvas {
     panels: Vec<Panel>,
     current: usize,
     readings: Vec<LawReading>,
+    remarks: Vec<String>,
     mistake: Option<FigureError>,
+}
+
+/// What was drawn without a mistake.
+pub(super) struct Drawn {
+    pub(super) panels: Vec<Panel>,
+    pub(super) readings: Vec<LawReading>,
+    pub(super) remarks: Vec<String>,
 }
 
 impl Canvas {
@@ -40,25 +48,43 @@ impl Canvas {
             panels: vec![],
             current: 0,
             readings: vec![],
+            remarks: vec![],
             mistake: None,
         }
     }
 
     /// What was drawn, or the first mistake.
-    pub(super) fn finish(self) -> Result<(Vec<Panel>, Vec<LawReading>), FigureError> {
+    pub(super) fn finish(self) -> Result<Drawn, FigureError> {
         match self.mistake {
             Some(mistake) => Err(mistake),
-            None => Ok((self.panels, self.readings)),
+            None => Ok(Drawn {
+                panels: self.panels,
+                readings: self.readings,
+                remarks: self.remarks,
+            }),
         }
     }
 
     // ── laws ──
 
-    /// Shows both sides of a law beside the live figure, for the very values that the reader chose.
+    /// Shows both sides of the law of a statement beside the live figure, for the very values that the reader chose.
+    ///
+    /// `statement` is the id of what the law says. The picture itself does not change.
+    pub fn law<T: Scalar>(&mut self, statement: &str, sides: &Sides<T>) {
+        let panel = self.current().name.clone();
+        let readings = sides
+            .readings()
+            // Of some inputs a claim has nothing to say.
+            .filter(|reading| !(reading.left.is_empty() && reading.right.is_empty()))
+            .map(|reading| LawReading::of(statement, &panel, reading));
+        self.readings.extend(readings);
+    }
+
+    /// Says beside the live figure what is special about these values: which hypothesis fails, and what it was for.
     ///
     /// The picture itself does not change.
-    pub fn law<T: Scalar>(&mut self, sides: &Sides<T>) {
-        self.readings.extend(sides.readings().map(LawReading::of));
+    pub fn remark(&mut self, sentence: &str) {
+        self.remarks.push(sentence.into());
     }
 
     // ── panels ──

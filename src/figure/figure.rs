@@ -269,14 +269,15 @@ impl Figure {
                 source,
             },
         })?;
-        let (panels, readings) = canvas.finish()?;
+        let drawn = canvas.finish()?;
         let plot = Plot {
             id: self.id.clone(),
             title: self.title.clone(),
             description: self.description.clone(),
             rows: self.rows.clone(),
-            panels,
-            readings,
+            panels: drawn.panels,
+            readings: drawn.readings,
+            remarks: drawn.remarks,
             windows: vec![],
             handles: self.handle_places(values)?,
         };

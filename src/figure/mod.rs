@@ -56,6 +56,7 @@ pub use parameter::{Parameter, ParameterKind, Value, Values};
 pub use place::{Place, Position, midpoint};
 pub use plot::{Frame, HandlePlace, Plot};
 pub use reading::LawReading;
+pub(crate) use reading::{power_of_ten, readable};
 pub use render::Picture;
 pub use scheme::Scheme;
 pub use shape::{Axes, Side, Window};

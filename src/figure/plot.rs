@@ -39,6 +39,7 @@ pub struct Plot {
     pub(super) windows: Vec<(String, Window)>,
     pub(super) handles: Vec<HandlePlace>,
     pub(super) readings: Vec<LawReading>,
+    pub(super) remarks: Vec<String>,
 }
 
 /// Where a handle is: in the world and in the picture.
@@ -231,6 +232,12 @@ impl Plot {
     #[must_use]
     pub fn readings(&self) -> &[LawReading] {
         &self.readings
+    }
+
+    /// What is special about these values: which hypothesis fails, and what it was for.
+    #[must_use]
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     // ── the picture ──

@@ -17,9 +17,11 @@ use std::fmt::Write;
 use std::sync::OnceLock;
 
 use crate::figure::{
-    Figure, FigureError, Frame, HandlePlace, ParameterKind, Position, Value, Values, decimal,
+    Figure, FigureError, Frame, HandlePlace, LawReading, ParameterKind, Position, Value, Values,
+    decimal, power_of_ten, readable,
 };
-use crate::gallery;
+use crate::gallery::{self, Figures};
+use crate::law::Relation;
 
 /// What a page is told about a figure with certain values.
 ///
@@ -29,7 +31,8 @@ use crate::gallery;
 /// | `size` | width and height of the picture |
 /// | `handle` | parameter, index, x and y in the picture, what it stands for and where it is |
 /// | `slider`, `stepper` | parameter, lowest, highest and present value, the value in words |
-/// | `law` | claim, both sides, by how much they miss each other, what rounding allows, `holds` or `fails` |
+/// | `law` | id of the statement, claim, left side, sign, right side, how well they agree, `holds` or `fails` |
+/// | `remark` | what is special about these values |
 /// | `error` | why there is no picture for these values |
 ///
 /// # Examples
@@ -47,29 +50,66 @@ pub struct Answer {
     svg: String,
 }
 
-/// Answers a question of a page; what is wrong with it is part of the answer.
+/// Answers a question of a page about any figure of the book; what is wrong with it is part of the answer.
 #[must_use]
 pub fn answer(question: &str) -> String {
-    let mut lines = question.lines();
-    let id = lines.next().unwrap_or_default().trim();
-    let values = lines.next().unwrap_or_default().trim();
-    let drag = lines.next().unwrap_or_default().trim();
-    let mut answer = Answer::default();
-    match live(id) {
-        Some(figure) => {
-            if let Err(error) = answer.draw(figure, values, drag) {
-                answer.fact("error", &[&error.to_string()]);
-            }
+    static ALL: LiveFigures = LiveFigures::new(gallery::all);
+    ALL.answer(question)
+}
+
+/// Some figures that answer; they are made at the first question and remember what they need at each drawing.
+#[derive(Debug)]
+pub struct LiveFigures {
+    make: Figures,
+    made: OnceLock<Vec<Live>>,
+}
+
+impl LiveFigures {
+    /// The figures that `make` makes.
+    #[must_use]
+    pub const fn new(make: Figures) -> Self {
+        Self {
+            make,
+            made: OnceLock::new(),
         }
-        None => answer.fact(
-            "error",
-            &[&format!("there is no figure `{id}`; reload the page")],
-        ),
     }
-    format!("{}\n{}", answer.facts, answer.svg)
+
+    /// Answers a question about one of them, as [`answer`] does.
+    #[must_use]
+    pub fn answer(&self, question: &str) -> String {
+        let mut lines = question.lines();
+        let id = lines.next().unwrap_or_default().trim();
+        let values = lines.next().unwrap_or_default().trim();
+        let drag = lines.next().unwrap_or_default().trim();
+        let mut answer = Answer::default();
+        match self.find(id) {
+            Some(figure) => {
+                if let Err(error) = answer.draw(figure, values, drag) {
+                    answer.fact("error", &[&error.to_string()]);
+                }
+            }
+            None => answer.fact(
+                "error",
+                &[&format!("there is no figure `{id}`; reload the page")],
+            ),
+        }
+        format!("{}\n{}", answer.facts, answer.svg)
+    }
+
+    fn find(&self, id: &str) -> Option<&Live> {
+        let made = self.made.get_or_init(|| {
+            let live = |figure| Live {
+                figure,
+                frames: OnceLock::new(),
+            };
+            (self.make)().into_iter().map(live).collect()
+        });
+        made.iter().find(|live| live.figure.id() == id)
+    }
 }
 
 /// A figure, and where its panels and handles are.
+#[derive(Debug)]
 struct Live {
     figure: Figure,
     /// The frames do not depend on the values, so those of the default picture serve for all.
@@ -84,19 +124,6 @@ impl Live {
         let frames = self.figure.plot(&self.figure.defaults())?.picture().frames;
         Ok(self.frames.get_or_init(|| frames))
     }
-}
-
-/// The figure with this id; all are made once, since they remember what they need at each drawing.
-fn live(id: &str) -> Option<&'static Live> {
-    static FIGURES: OnceLock<Vec<Live>> = OnceLock::new();
-    let figures = FIGURES.get_or_init(|| {
-        let live = |figure| Live {
-            figure,
-            frames: OnceLock::new(),
-        };
-        gallery::all().into_iter().map(live).collect()
-    });
-    figures.iter().find(|live| live.figure.id() == id)
 }
 
 impl Answer {
@@ -128,15 +155,30 @@ impl Answer {
         for parameter in figure.parameters() {
             self.control(&parameter.name, &parameter.kind, &values)?;
         }
+        let several = plot
+            .readings()
+            .windows(2)
+            .any(|pair| pair[0].panel != pair[1].panel);
         for law in plot.readings() {
-            let residual = format!("{:.1e}", law.residual.max(0.0));
-            let residual = if law.residual > 0.0 { &residual } else { "" };
-            let allowed = format!("{:.1e}", law.allowed);
-            let holds = if law.holds { "holds" } else { "fails" };
+            let claim = match several {
+                true => format!("{}: {}", law.panel, law.claim),
+                false => law.claim.clone(),
+            };
             self.fact(
                 "law",
-                &[&law.claim, &law.left, &law.right, residual, &allowed, holds],
+                &[
+                    &law.statement,
+                    &claim,
+                    &law.left,
+                    &law.relation.to_string(),
+                    &law.right,
+                    &agreement(law),
+                    if law.holds { "holds" } else { "fails" },
+                ],
             );
+        }
+        for remark in plot.remarks() {
+            self.fact("remark", &[remark]);
         }
         self.svg = picture.svg;
         Ok(())
@@ -173,7 +215,7 @@ impl Answer {
     ) -> Result<(), FigureError> {
         match (kind, values.get(name)?) {
             (ParameterKind::Slider { low, high, .. }, Value::Number(value)) => {
-                let words = format!("{} = {}", spoken(name), sensible(*value));
+                let words = format!("{} = {}", written(name), readable(*value));
                 self.fact(
                     "slider",
                     &[
@@ -186,7 +228,7 @@ impl Answer {
                 );
             }
             (ParameterKind::Stepper { low, high, .. }, Value::Count(value)) => {
-                let words = format!("{} = {value}", spoken(name));
+                let words = format!("{} = {value}", written(name));
                 self.fact(
                     "stepper",
                     &[
@@ -269,6 +311,43 @@ fn sensible(x: f64) -> String {
     let digits = 2.0 - libm::floor(libm::log10(x.abs()));
     decimal(x, digits.clamp(0.0, 12.0) as usize)
 }
+
+/// How well the two sides of a claim agree, in words.
+fn agreement(law: &LawReading) -> String {
+    let apart = power_of_ten(law.residual);
+    let allowed = power_of_ten(law.allowed);
+    match (law.holds, law.relation) {
+        (true, _) if law.residual == 0.0 => "without any difference".to_owned(),
+        (true, Relation::AtMost) if law.residual < 0.0 => {
+            format!("with {} to spare", readable(-law.residual))
+        }
+        (true, _) => format!("up to {apart}; rounding allows {allowed}"),
+        (false, _) => format!("by {apart}; rounding allows {allowed}"),
+    }
+}
+
+/// A mathematical name as it is written: `\lambda` is λ, `m_11` is m₁₁.
+fn written(name: &str) -> String {
+    let name = match name.trim_start_matches('\\') {
+        "alpha" => "α",
+        "lambda" => "λ",
+        "mu" => "μ",
+        "varphi" => "φ",
+        other => other,
+    };
+    match name.split_once('_') {
+        Some((stem, index)) => {
+            let lowered = index.chars().filter_map(|digit| match digit {
+                '{' | '}' => None,
+                digit => Some(digit.to_digit(10).map_or(digit, |d| LOWERED[d as usize])),
+            });
+            format!("{stem}{}", lowered.collect::<String>())
+        }
+        None => name.to_owned(),
+    }
+}
+
+const LOWERED: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
 /// A mathematical name as it is spoken: `\alpha` is alpha, `b_1` is b 1.
 fn spoken(name: &str) -> String {

@@ -62,9 +62,6 @@ enum Command {
         /// Leave out the solutions of the exercises, to hand the site out
         #[arg(long)]
         without_solutions: bool,
-        /// Take this wasm build of the figures instead of making one
-        #[arg(long, value_name = "FILE")]
-        wasm: Option<PathBuf>,
     },
     /// Show the evidence for every statement and what is missing
     Coverage(commands::coverage::AskedCoverage),
@@ -230,7 +227,6 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Build {
             out,
             without_solutions,
-            wasm,
         }) => {
             // A folder given on the command line is meant from where the reader stands, the default from the root.
             let root = house::find()?;
@@ -239,7 +235,7 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
             } else {
                 out
             };
-            build(&root, &out, without_solutions, wasm.as_deref())
+            build(&root, &out, without_solutions)
         }
         Some(Command::Coverage(asked)) => asked.run(),
         #[cfg(unix)]
@@ -275,12 +271,7 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
 }
 
 /// A book with errors falls short; a folder that cannot be written keeps the command from running.
-fn build(
-    root: &Path,
-    out: &Path,
-    without_solutions: bool,
-    wasm: Option<&Path>,
-) -> Result<Outcome, Failure> {
+fn build(root: &Path, out: &Path, without_solutions: bool) -> Result<Outcome, Failure> {
     if is_precious(out) {
         return Err(Failure::Precious(out.to_path_buf()));
     }
@@ -290,17 +281,13 @@ fn build(
     };
     let waiting = ProgressBar::new_spinner().with_message("compiling the live figures");
     waiting.enable_steady_tick(Duration::from_millis(100));
-    let script = live_figures::script(root, wasm);
+    let scripts = live_figures::scripts(root);
     waiting.finish_and_clear();
-    let more = match script {
-        Ok(script) => vec![(live_figures::SCRIPT, script)],
-        // The site is whole without it: its figures are pictures.
-        Err(error) if wasm.is_none() => {
-            eprintln!("{error}");
-            Vec::new()
-        }
-        Err(error) => return Err(error.into()),
-    };
+    let more = scripts.unwrap_or_else(|error| {
+        // The site is whole without them: its figures are pictures.
+        eprintln!("{error}");
+        Vec::new()
+    });
     match build_with(root, out, workbook, &more) {
         Ok(_) => {
             writeln!(

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use cagd::book::build::build_with;
 use cagd::book::error::BookErrors;
 use cagd::book::preprocessor::Workbook;
-use cagd::book::registry::{RegisteredFigure, Registry};
+use cagd::book::registry::{Drawing, RegisteredFigure, Registry};
 use cagd::book::{BuildReport, build};
 use tempfile::TempDir;
 
@@ -138,9 +138,12 @@ fn figure(id: &str, title: &str, description: &str) -> RegisteredFigure {
         id: id.to_owned(),
         title: title.to_owned(),
         description: description.to_owned(),
-        live: false,
+        live: None,
         draw: Box::new(|| {
-            Ok("<svg viewBox=\"0 0 1 1\">\n\n<path d=\"M0 0L1 1\" />\n</svg>\n".to_owned())
+            Ok(Drawing {
+                svg: "<svg viewBox=\"0 0 1 1\">\n\n<path d=\"M0 0L1 1\" />\n</svg>\n".to_owned(),
+                laws: vec![],
+            })
         }),
     }
 }

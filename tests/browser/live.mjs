@@ -4,10 +4,10 @@
 //     node live.mjs CHROMIUM WORKBOOK SITE
 
 import { spawn } from "node:child_process";
-import { readFileSync, readdirSync, statSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { createInterface } from "node:readline";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
@@ -117,6 +117,69 @@ async function everyWay(context, url, label) {
     await page.close();
 }
 
+/** The laws stand beside the figure with the numbers of the dragged points, and a degenerate position is explained. */
+async function laws(context, url, label) {
+    const page = await context.newPage();
+    await page.goto(new URL("shape.html", url).href);
+    const figure = await alive(page, "bezier-figure-convex-hull");
+    const readout = figure.locator(".live-laws");
+    check((await readout.locator(".live-law a").getAttribute("href")).includes("bezier-convex-hull"),
+        `${label}: a law is named by a link to its statement`);
+    const before = await readout.locator(".live-right").first().textContent();
+    const handle = figure.locator(".live-handle").nth(4);
+    await handle.scrollIntoViewIfNeeded();
+    const name = await words(handle);
+    const box = await handle.boundingBox();
+    await page.mouse.move(box.x + 22, box.y + 22);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 2, box.y + 2, { steps: 4 });
+    await page.mouse.up();
+    await moved(handle, name);
+    await page.waitForTimeout(200);
+    const after = await readout.locator(".live-right").first().textContent();
+    const corner = (await words(handle)).match(/\((-?[\d.]+), (-?[\d.]+)\)/);
+    check(before !== after && after.startsWith(corner[1].slice(0, 3)), `${label}: the law reads the dragged point (${before} → ${after})`);
+    const agreement = readout.locator(".live-agreement").first();
+    check(/✓ holds/.test(await agreement.textContent()), `${label}: it holds (${await agreement.textContent()})`);
+    check(await figure.locator(".live-remark").isHidden(), `${label}: a general position needs no remark`);
+    await page.goto(new URL("de-casteljau.html", url).href);
+    const range = await alive(page, "bezier-parameter-range");
+    const slider = range.locator("input[type=range]");
+    await slider.focus();
+    await page.keyboard.press("Home");
+    await range.locator(".live-remark", { hasText: "negative" }).waitFor();
+    check(true, `${label}: a parameter outside the interval says what the interval is for`);
+    await page.close();
+}
+
+/** In the dark theme the live picture is dark; on paper there are no controls and the picture is as it was left. */
+async function darkAndPrinted() {
+    const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, colorScheme: "dark" });
+    const page = await context.newPage();
+    await page.goto(fromDisk);
+    const figure = await alive(page);
+    const light = color => color.match(/[\d.]+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0) / 3;
+    const paper = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+    const text = await figure.locator(".live-sides").first().evaluate(element => getComputedStyle(element).color);
+    check(light(text) > 120 && light(paper) < 80, `dark: the numbers of the laws are light (${text}) on dark paper (${paper})`);
+    const handle = figure.locator(".live-handle").nth(4);
+    const before = await words(handle);
+    await handle.focus();
+    await page.keyboard.press("Shift+ArrowUp");
+    await moved(handle, before);
+    const left = await figure.locator("svg").innerHTML();
+    await page.emulateMedia({ media: "print" });
+    const shown = await figure.locator("button, input, .live-laws, .live-say").evaluateAll(
+        all => all.filter(element => element.getClientRects().length > 0).length);
+    check(shown === 0, `print: no controls (${shown})`);
+    const printed = figure.locator("svg");
+    check(await printed.isVisible() && await printed.innerHTML() === left, "print: the picture as the reader left it");
+    const size = await figure.locator(".live-picture").boundingBox();
+    const drawn = await printed.boundingBox();
+    check(Math.abs(size.height - drawn.height) < 2, `print: no gap below the picture (${size.height} and ${drawn.height})`);
+    await context.close();
+}
+
 const browser = await chromium.launch({ executablePath: browserPath, args: ["--no-sandbox", "--disable-gpu"] });
 const { server, address } = await serve();
 const served = new URL(PAGE, address).href;
@@ -125,6 +188,11 @@ try {
     const context = await browser.newContext({ viewport: { width: 1300, height: 900 } });
     await everyWay(context, served, "server");
     await everyWay(context, fromDisk, "disk");
+
+    for (const [url, label] of [[served, "server"], [fromDisk, "disk"]]) {
+        await laws(context, url, label);
+    }
+    await darkAndPrinted();
 
     // ---- By finger, on a narrow screen ----
     const phone = await browser.newContext({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
@@ -154,60 +222,114 @@ try {
     const ids = readdirSync(resolve(site, "..", "..", "snapshots"), { recursive: true })
         .filter(name => name.endsWith(".snap.svg"))
         .map(name => name.replace(/^.*[\\/]/, "").replace(".snap.svg", ""));
-    const inPage = question => still.evaluate(async question => (await window.workbookAsk())(question), question);
-    let different = [];
+    const parts = readdirSync(site).filter(name => /^figures-.*\.js$/.test(name)).map(name => name.slice(8, -3));
+    const partOf = id => still.evaluate(async ([parts, id]) => {
+        for (const part of parts) {
+            if (!(await (await window.workbookAsk(part))(id + "\n\n")).startsWith("error\tthere is no figure")) {
+                return part;
+            }
+        }
+    }, [parts, id]);
+    const inPage = (part, question) => still.evaluate(
+        async ([part, question]) => (await window.workbookAsk(part))(question), [part, question]);
+    const ofServer = await context.newPage();
+    await ofServer.goto(served);
+    const native = question => ofServer.evaluate(async question => (await window.workbookAsk(""))(question), question);
+    const different = [];
     for (const id of ids) {
+        const part = await partOf(id);
         const question = `${id}\n\n`;
-        const native = await (await fetch(new URL("/__workbook/figure", address), { method: "POST", body: question })).text();
-        const values = (native.match(/^values\t(.*)$/m) ?? [])[1] ?? "";
-        const handle = native.match(/^handle\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)/m);
+        const answer = await native(question);
+        const values = (answer.match(/^values\t(.*)$/m) ?? [])[1] ?? "";
+        const handle = answer.match(/^handle\t([^\t]*)\t([^\t]*)\t([^\t]*)\t([^\t]*)/m);
         const questions = [question];
         if (handle) {
             const [, name, index, x, y] = handle;
             questions.push(`${id}\n${values}\n${name} ${index} ${Number(x) + 11.37} ${Number(y) - 7.77}`);
         }
         for (const asked of questions) {
-            const native = await (await fetch(new URL("/__workbook/figure", address), { method: "POST", body: asked })).text();
-            if (native !== await inPage(asked)) {
+            if (await native(asked) !== await inPage(part, asked)) {
                 different.push(asked);
             }
         }
     }
     check(ids.length > 20 && different.length === 0, `wasm and native answer alike for ${ids.length} figures ${different.join(" | ")}`);
 
+    await ofServer.close();
+    await still.bringToFront();
     const times = await still.evaluate(async id => {
-        const answer = await window.workbookAsk();
+        const figureOf = document.querySelector(`figure[data-figure="${id}"]`);
+        const answer = await window.workbookAsk(figureOf.dataset.part);
         const values = (await answer(id + "\n\n")).match(/^values\t(.*)$/m)[1];
         const figure = document.querySelector(`figure[data-figure="${id}"] .live-picture`);
         const draws = [];
-        let late = 0;
-        let last = null;
-        const begin = performance.now();
-        while (performance.now() - begin < 3000) {
-            const now = await new Promise(requestAnimationFrame);
-            if (last !== null && now - last > 1000 / 60 * 1.5) {
-                late++;
+        /** How many frames come late in a time, in which each does some work. */
+        const lateFrames = async (milliseconds, work) => {
+            let late = 0;
+            let last = null;
+            const begin = performance.now();
+            while (performance.now() - begin < milliseconds) {
+                const now = await new Promise(requestAnimationFrame);
+                if (last !== null && now - last > 1000 / 60 * 1.5) {
+                    late++;
+                }
+                last = now;
+                await work();
             }
-            last = now;
+            return late;
+        };
+        const lateIdle = await lateFrames(1000, () => {});
+        const late = await lateFrames(3000, async () => {
             const start = performance.now();
             const k = draws.length % 100;
             const text = await answer(`${id}\n${values}\nb 1 ${260 + k} ${80 + k / 2}`);
             window.workbookShow(id, text);
             figure.getBoundingClientRect();
             draws.push(performance.now() - start);
-        }
+        });
         draws.sort((a, b) => a - b);
-        return { median: draws[draws.length >> 1], worst: draws[draws.length - 1], frames: draws.length, late };
+        return {
+            quick: draws[Math.floor(draws.length / 20)],
+            median: draws[draws.length >> 1],
+            worst: draws[draws.length - 1],
+            frames: draws.length,
+            late,
+            lateIdle,
+        };
     }, FIGURE);
-    // How long that takes depends on what else the machine does, so it is told and not judged.
-    console.log(`        redraw ${times.median.toFixed(2)} ms (median; aim 4), worst ${times.worst.toFixed(2)} ms`);
-    console.log(`        ${times.late} late of ${times.frames} frames (aim 0)`);
+    // What else the machine does makes a redraw slower and never quicker: the quickest twentieth tells what the page needs.
+    check(times.quick < 4, `a redraw takes ${times.quick.toFixed(2)} ms where nothing disturbs it (median `
+        + `${times.median.toFixed(2)}, worst ${times.worst.toFixed(2)})`);
+    const told = `${times.late} of ${times.frames} frames come late in 3 s of dragging`;
+    if (times.lateIdle === 0) {
+        check(times.late * 50 <= times.frames, told);
+    } else {
+        // The bound is for a machine that keeps up with the screen when nothing is drawn.
+        console.log(`        not judged: ${told}, ${times.lateIdle} in 1 s without any drawing`);
+    }
 
-    const script = readFileSync(join(site, "figures.js"), "utf8");
-    const packed = Buffer.from(script.split('"')[1], "base64").length;
-    console.log(`        the wasm code takes ${packed} bytes gzipped (aim 150000)`);
-    const sent = ["figures.js", PAGE].reduce((sum, name) => sum + gzipSync(readFileSync(join(site, name))).length, 0);
-    console.log(`        page and figures: ${sent} bytes gzipped; ${statSync(join(site, PAGE)).size} bytes of HTML`);
+    // ---- How much a reader loads ----
+    for (const part of parts) {
+        const script = readFileSync(join(site, `figures-${part}.js`), "utf8");
+        const packed = Buffer.from(script.split('"')[3], "base64").length;
+        check(packed < 150_000, `the wasm code of ${part} takes ${packed} bytes gzipped`);
+    }
+    for (const path of ["bezier/de-casteljau.html", "bezier/shape.html", "bezier/bounds.html", "affine/maps.html"]) {
+        const fresh = await browser.newContext({ viewport: { width: 1300, height: 900 } });
+        const visitor = await fresh.newPage();
+        const loaded = new Set();
+        visitor.on("request", request => request.url().startsWith("file:") && loaded.add(request.url().replace(/[?#].*/, "")));
+        await visitor.goto(pathToFileURL(resolve(site, path)).href);
+        for (const figure of await visitor.locator("figure[data-figure]").all()) {
+            await figure.scrollIntoViewIfNeeded();
+        }
+        await visitor.locator("figure.live").first().waitFor();
+        await visitor.waitForTimeout(300);
+        // As a web server sends them: what is text is compressed.
+        const sent = [...loaded].reduce((sum, url) => sum + gzipSync(readFileSync(fileURLToPath(url))).length, 0);
+        check(sent < 1_000_000, `a first visit of ${path} loads ${sent} bytes in ${loaded.size} files`);
+        await fresh.close();
+    }
 } finally {
     server.kill("SIGINT");
     await browser.close();

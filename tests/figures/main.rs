@@ -18,5 +18,6 @@ mod interface;
 #[cfg(feature = "book")]
 #[path = "../support/listed.rs"]
 mod listed;
+mod readings;
 mod subdivision;
 mod support;

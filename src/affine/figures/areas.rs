@@ -2,7 +2,7 @@
 
 use crate::affine::{
     Affine, BoundingBox, LatticePoint, LatticePolygon, Location, MonteCarloEstimate, Point,
-    SimplePolygon, UniformPoints, monte_carlo, signed_area,
+    SimplePolygon, UniformPoints, laws, monte_carlo, signed_area,
 };
 use crate::figure::{BoxError, Canvas, Figure, PointStyle, Side, Style, Values, decimal};
 
@@ -39,6 +39,13 @@ pub fn figure_triangle_area() -> Figure {
         canvas.label("w", r.lerp(&q, 0.5));
         let text = format!("[R P Q] = {}", decimal(signed_area(&r, &p, &q), 3));
         canvas.text("area", &text, [2.1, -0.5], Side::Centre);
+        canvas.law(
+            "affine-triangle-area-determinant",
+            &laws::triangle_area_determinant(signed_area, &r, &p, &q),
+        );
+        if signed_area(&r, &p, &q) == 0.0 {
+            canvas.remark("The corners are on a line: both vectors have one direction, and their determinant is 0.");
+        }
         Ok(())
     })
 }
@@ -70,6 +77,10 @@ pub fn figure_pick() -> Figure {
                 canvas.polygon("triangle", vertices.iter().copied().map(place), Style::Region);
                 canvas.polygon("sides", vertices.iter().copied().map(place), Style::Connector);
                 let count = triangle.count();
+                canvas.law(
+                    "affine-pick-theorem",
+                    &laws::pick_theorem::<f64>(LatticePolygon::count, &triangle),
+                );
                 let text = format!(
                     "I = {}\nR = {}\nI + R/2 - 1 = {}\n\\text{{determinant}}/2 = {}",
                     count.interior,
@@ -79,7 +90,13 @@ pub fn figure_pick() -> Figure {
                 );
                 (text, triangle.interior_points(), triangle.boundary_points())
             }
-            Err(_) => ("\\text{no triangle}".into(), vec![], vertices.clone()),
+            Err(_) => {
+                canvas.remark(
+                    "The corners are on a line. Pick's theorem is about polygons with an inside: \
+                     a segment has the area 0, but its points would give another number.",
+                );
+                ("\\text{no triangle}".into(), vec![], vertices.clone())
+            }
         };
         let others = lattice.filter(|point| !inside.contains(point) && !boundary.contains(point));
         canvas.points("lattice", others.map(place), PointStyle::Guide);
@@ -117,6 +134,9 @@ pub fn figure_monte_carlo() -> Figure {
         });
         let disc = sampled(canvas, values, &square, in_disc)?;
         report(canvas, &disc, 4.0, std::f64::consts::PI, "4h/N");
+        let draws = (values.count("N")?, values.count("s")? as u64);
+        let law = laws::monte_carlo_area(|_, _, _, _| disc, &square, draws, &in_disc, 0.5 * corner);
+        canvas.law("affine-monte-carlo-area", &law);
 
         canvas.panel("leaf");
         canvas.caption("free shape");
@@ -125,6 +145,8 @@ pub fn figure_monte_carlo() -> Figure {
         let in_leaf = |x: &Place| leaf.locate(x) != Location::Outside;
         let estimate = sampled(canvas, values, &square, in_leaf)?;
         report(canvas, &estimate, 1.0, leaf.area(), "h/N");
+        let law = laws::monte_carlo_area(|_, _, _, _| estimate, &square, draws, &in_leaf, leaf.area());
+        canvas.law("affine-monte-carlo-area", &law);
         Ok(())
     })
 }

@@ -1,6 +1,6 @@
 //! Figures of the section on barycentric coordinates.
 
-use crate::affine::{Affine, AffineBasis, Linear, Point, Vector, line_coordinates};
+use crate::affine::{Affine, AffineBasis, Linear, Point, Vector, laws, line_coordinates};
 use crate::figure::{Canvas, Figure, Place, PointStyle, Side, Style, decimal, midpoint};
 use crate::scalar::Real;
 
@@ -11,6 +11,10 @@ pub(super) fn all() -> Vec<Figure> {
         exercise_points_on_line(),
     ]
 }
+
+/// What coordinates on a line need.
+const NO_LINE: &str = "A and B are in one place: every combination of them with the sum 1 is this place, \
+     so no coordinates can be read off. They need A ≠ B.";
 
 /// How far beside the line arrows are drawn.
 const BESIDE: f64 = 0.45;
@@ -70,13 +74,24 @@ fn draw_on_line(canvas: &mut Canvas, a: Place, b: Place, g: Place) {
     canvas.line("line", a, b, Style::Guide);
     canvas.segment("AB", a, b, Style::Curve);
     match line_coordinates(&a, &b, &g) {
-        Err(_) => canvas.caption("$A = B$: no coordinates"),
+        Err(_) => {
+            canvas.caption("$A = B$: no coordinates");
+            canvas.remark(NO_LINE);
+        }
         Ok([alpha, beta]) => {
             let n = across(&a, &b);
             canvas.arrow("alpha", g + n, b + n, Style::Level(1));
             canvas.arrow("beta", a - n, g - n, Style::Level(2));
             canvas.label_on(Side::Above, "\\alpha", midpoint(g + n, b + n));
             canvas.label_on(Side::Below, "\\beta", midpoint(a - n, g - n));
+            canvas.law(
+                "affine-barycentric-on-line",
+                &laws::barycentric_on_line(
+                    |a, b, g| line_coordinates(a, b, g).ok(),
+                    [&a, &b],
+                    &beta,
+                ),
+            );
             let [alpha, beta] = [alpha, beta].map(|weight| decimal(weight, 2));
             canvas.caption(&format!("$\\alpha = {alpha}$, $\\beta = {beta}$"));
         }
@@ -119,9 +134,26 @@ pub fn barycentric_in_triangle() -> Figure {
         }
         canvas.polyline("triangle", [a, b, c, a], Style::Connector);
         match AffineBasis::new([a, b, c]) {
-            Err(_) => canvas.caption("$A$, $B$, $C$ on a line: no coordinates"),
+            Err(_) => {
+                canvas.caption("$A$, $B$, $C$ on a line: no coordinates");
+                canvas.remark(
+                    "A, B and C are on a line: the whole area is 0, and nothing can be divided by it. \
+                     Coordinates in the plane need three points that are not on a line.",
+                );
+            }
             Ok(basis) => {
                 let weights = basis.coordinates(&g);
+                let found = [weights[0], weights[1], weights[2]];
+                canvas.law(
+                    "affine-barycentric-in-triangle",
+                    &laws::barycentric_in_triangle(|_, _| found, &[a, b, c], &g),
+                );
+                if found.iter().any(|weight| *weight < 0.0) {
+                    canvas.remark(
+                        "G is outside the triangle: the area opposite some corner is run through the other way round, \
+                         and its coordinate is negative.",
+                    );
+                }
                 let signs = ["\\alpha", "\\beta", "\\gamma"];
                 for ((sign, weight), corners) in signs.iter().zip(&weights).zip(&opposite) {
                     let text = format!("{sign} = {}", decimal(*weight, 2));
@@ -176,6 +208,14 @@ pub fn exercise_points_on_line() -> Figure {
         for (name, place) in [("A", a), ("B", b)] {
             canvas.point(name, place, PointStyle::OnCurve);
             canvas.label_on(Side::Above, name, place);
+        }
+        if a == b {
+            canvas.remark(NO_LINE);
+        } else {
+            canvas.law(
+                "affine-barycentric-on-line",
+                &laws::barycentric_on_line(|a, b, g| line_coordinates(a, b, g).ok(), [&a, &b], &0.75),
+            );
         }
         Ok(())
     })

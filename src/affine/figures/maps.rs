@@ -1,7 +1,7 @@
 //! Figures of the section on affine maps.
 
 use crate::affine::{
-    Affine, AffineBasis, AffineMap, CentralProjection, Line, Point, SimplePolygon, Vector,
+    Affine, AffineBasis, AffineMap, CentralProjection, Line, Point, SimplePolygon, Vector, laws,
 };
 use crate::figure::{BoxError, Canvas, Figure, PointStyle, Side, Style, Values, decimal};
 
@@ -89,13 +89,24 @@ fn letter(canvas: &mut Canvas, name: &str, map: &Map) {
         Style::Disc,
     );
     canvas.point("origin", [0.0, 0.0], PointStyle::Guide);
+    let corners = [corners[0], corners[1], corners[9]];
+    canvas.law(
+        "affine-map-properties",
+        &laws::volume_factor(AffineMap::determinant, map, &corners),
+    );
 }
 
 /// The projection onto the first axis along the vector w, if w leaves the axis.
 fn projected(values: &Values, canvas: &mut Canvas) -> Result<(), BoxError> {
     let w = values.point("w")?;
     let axis = Line::new([0.0, 1.0], 0.0)?;
-    let map = Map::parallel_projection(&axis, &w.from_origin()).unwrap_or_else(|_| Map::identity());
+    let map = match Map::parallel_projection(&axis, &w.from_origin()) {
+        Ok(map) => map,
+        Err(_) => {
+            canvas.remark("w has the direction of the axis: rays along w never reach it, and there is no projection along w.");
+            Map::identity()
+        }
+    };
     letter(canvas, "projection", &map);
     canvas.line("axis", [0.0, 0.0], [1.0, 0.0], Style::Guide);
     let top = Point::new(LETTER[8]);
@@ -138,6 +149,11 @@ pub fn central_projection_not_affine() -> Figure {
                 canvas.segment(&format!("ray {name}"), Place::origin(), far, Style::Guide);
                 canvas.label(name, image);
             }
+        }
+        if images.contains(&None) {
+            canvas.remark("A point at the height of the centre has no image: its ray is parallel to the image line.");
+        } else if a[1] == b[1] {
+            canvas.remark("AB is parallel to the image line: only then the midpoint goes to the midpoint.");
         }
         if let [Some(a), Some(b), Some(m)] = images {
             canvas.points("images of the ends", [a, b], PointStyle::Level(1));
@@ -214,6 +230,17 @@ pub fn exercise_image_of_points() -> Figure {
             canvas.point("T(M)", map.point(&m), PointStyle::Result);
             canvas.label("T(M)", map.point(&m));
         }
+        match (&basis, &coordinates) {
+            (Ok(basis), Some(weights)) => {
+                let map = AffineMap::from_images(basis, &images)?;
+                let law = laws::map_determined_by_basis(|_, _| map.clone(), basis, &images, &weights[1..]);
+                canvas.law("affine-map-determined-by-basis", &law);
+            }
+            _ => canvas.remark(
+                "A, B and C are on a line: points beside it are no combinations of them, \
+                 and their images are not determined.",
+            ),
+        }
         Ok(())
     })
 }
@@ -261,6 +288,18 @@ pub fn map_properties() -> Figure {
         }
         for (name, at) in std::iter::zip(["O'", "E_1'", "E_2'"], images) {
             canvas.point(name, at, PointStyle::Control);
+        }
+        let corner = Point::new([1.0, 0.0]);
+        let law = laws::map_properties(AffineMap::point, &map, [&p, &q, &corner], lambda);
+        canvas.law("affine-map-properties", &law);
+        if map.determinant() == 0.0 {
+            canvas.remark(
+                "The three images are on a line: the map flattens the plane onto it. \
+                 Ratios and parallels are kept all the same; areas become 0.",
+            );
+        }
+        if p == q {
+            canvas.remark("P and Q are in one place: no ratio is defined by a segment of length 0.");
         }
         Ok(())
     })
@@ -320,6 +359,11 @@ pub fn figure_shear() -> Figure {
         let area = crate::affine::plane_determinant(&vectors[0], &vectors[1]);
         let text = format!("\\text{{area}} = {}", decimal(area, 3));
         canvas.text("area", &text, [-1.0, 0.5], Side::Centre);
+        let corners = [square[0], square[1], square[2]];
+        canvas.law("affine-shear", &laws::shear(Map::shear, a, &corners));
+        if a == 0.0 {
+            canvas.remark("For a = 0 the shear is the identity.");
+        }
         Ok(())
     })
 }

@@ -15,18 +15,23 @@ pub use maps::*;
 
 use crate::figure::Figure;
 
-/// All figures of this chapter.
+/// The figures on combinations and what follows from them.
 #[must_use]
-pub fn all() -> Vec<Figure> {
-    [
-        areas::all(),
-        barycentric::all(),
-        combinations::all(),
-        convexity::all(),
-        maps::all(),
+pub fn combining() -> Vec<Figure> {
+    joined([
         points_and_vectors::all(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+        combinations::all(),
+        barycentric::all(),
+        convexity::all(),
+    ])
+}
+
+/// The figures on affine maps and on areas.
+#[must_use]
+pub fn maps_and_areas() -> Vec<Figure> {
+    joined([maps::all(), areas::all()])
+}
+
+fn joined<const N: usize>(sections: [Vec<Figure>; N]) -> Vec<Figure> {
+    sections.into_iter().flatten().collect()
 }

@@ -1,7 +1,7 @@
 //! Figures of the section on Bernstein polynomials.
 
 use crate::affine::Interval;
-use crate::bezier::{bernstein, bernstein_maximum};
+use crate::bezier::{bernstein, bernstein_basis, bernstein_maximum, laws};
 use crate::figure::{Axes, BoxError, Canvas, Figure, PointStyle, Side, Style};
 
 pub(super) fn all() -> Vec<Figure> {
@@ -30,6 +30,14 @@ pub fn bernstein_polynomials() -> Figure {
             canvas.graph(&format!("B_{i}"), 0.0..=1.0, |t| bernstein(n, index, t), Style::Series(i));
             canvas.point(&format!("value {i}"), [t, bernstein(n, index, t)], PointStyle::Result);
             label(canvas, n, i)?;
+        }
+        canvas.law("bezier-partition-of-unity", &laws::partition_of_unity(bernstein_basis, n, t));
+        canvas.law("bezier-nonnegativity", &laws::nonnegativity(bernstein, n, t));
+        if t == 0.0 || t == 1.0 {
+            canvas.remark(
+                "t is an end of the interval: one polynomial is 1 and the others are 0. \
+                 That all are positive needs 0 < t < 1.",
+            );
         }
         Ok(())
     })
@@ -66,6 +74,17 @@ pub fn unimodal() -> Figure {
             );
             canvas.point(&format!("maximum {i}"), top, PointStyle::Result);
             label(canvas, m, i)?;
+        }
+        let interval = Interval::unit();
+        let middle = bernstein_maximum::<f64>(m, m / 2, &interval)?;
+        canvas.law(
+            "bezier-unimodal",
+            &laws::unimodal(|_, _, _| middle.clone(), m, m / 2, &interval, &[0.25, 0.5, 0.75]),
+        );
+        if m == 1 {
+            canvas.remark(
+                "For m = 1 both polynomials are straight, and each is largest at an end, where its derivative is not 0.",
+            );
         }
         Ok(())
     })

@@ -1,6 +1,6 @@
 //! Figures of the section on blossoms.
 
-use crate::bezier::BezierCurve;
+use crate::bezier::{BezierCurve, laws};
 use crate::figure::{Figure, PointStyle, Scheme, Style};
 
 pub(super) fn all() -> Vec<Figure> {
@@ -65,6 +65,16 @@ pub fn blossom_de_casteljau() -> Figure {
             for entry in triangle.column(level) {
                 canvas.label(&entry.label(NAMES), entry.point);
             }
+        }
+        canvas.law(
+            "bezier-blossom-de-casteljau",
+            &laws::blossom_de_casteljau(|curve, t| curve.blossom().triangle(t), &curve, t, 0.5),
+        );
+        if t == 0.0 || t == 1.0 {
+            canvas.remark(
+                "t is an end of the interval: one side of the triangle repeats a single point, \
+                 the control polygon of a piece over an interval of length 0.",
+            );
         }
         Ok(())
     })

@@ -2,8 +2,8 @@
 
 use crate::affine::{Affine, Point};
 use crate::bezier::bounds::{euclidean_norm, maximum_norm};
-use crate::bezier::intersection::{IntersectionError, Intersections, Meeting};
-use crate::bezier::{BezierCurve, PlaneCurve};
+use crate::bezier::intersection::{IntersectionError, Intersections, Kind, Meeting};
+use crate::bezier::{BezierCurve, PlaneCurve, laws};
 use crate::figure::{Axes, Canvas, Figure, PointStyle, Style};
 
 pub(super) fn all() -> Vec<Figure> {
@@ -50,9 +50,25 @@ pub fn chord_bound() -> Figure {
         canvas.label("b(t)", curve.at(t));
         canvas.label("L(t)", on_chord);
         canvas.labels("b", points);
+        canvas.law(
+            "bezier-chord-bound",
+            &laws::chord_bound(|curve| curve.chord_bound(maximum_norm), &curve, t),
+        );
+        if curve.chord_bound(maximum_norm) == 0.0 {
+            canvas.remark(NO_SECOND_DIFFERENCES);
+        } else if start == end {
+            canvas.remark(
+                "The curve ends where it starts. The chord is a point, and the bound holds all the same: \
+                 it needs no direction.",
+            );
+        }
         Ok(())
     })
 }
+
+/// What is to be seen where the bounds are 0.
+const NO_SECOND_DIFFERENCES: &str = "All second differences are 0, and so are the bounds: \
+     the curve runs along its chord at constant speed, and polygon and curve are the same.";
 
 /// The graph of a quartic with its control polygon and the envelope around it.
 #[must_use]
@@ -91,6 +107,13 @@ pub fn control_polygon_bound() -> Figure {
         canvas.polyline("control polygon", polygon, Style::ControlPolygon);
         canvas.graph("curve", 0.0..=1.0, |t| function.at(t), Style::Curve);
         canvas.legend("bound", Style::Bound);
+        canvas.law(
+            "bezier-control-polygon-bound",
+            &laws::control_polygon_bound(|f| f.control_polygon_bound(maximum_norm), &function, 1, 1.0),
+        );
+        if bound == 0.0 {
+            canvas.remark(NO_SECOND_DIFFERENCES);
+        }
         Ok(())
     })
 }
@@ -146,8 +169,21 @@ pub fn uniform_convergence() -> Figure {
         canvas.polyline("distance", distances, Style::Level(1));
         canvas.legend("largest distance", Style::Level(1));
         canvas.legend("bound", Style::Bound);
+        canvas.law(
+            "bezier-uniform-convergence",
+            &laws::uniform_convergence(vertices, &curve, 3, 13, 0.5),
+        );
+        if bound == 0.0 {
+            canvas.remark(NO_SECOND_DIFFERENCES);
+        }
         Ok(())
     })
+}
+
+/// The control polygon after some halvings.
+fn vertices(curve: &PlaneCurve, steps: usize) -> Vec<Point<f64, 2>> {
+    let polygon = curve.corner_cutting().nth(steps);
+    polygon.map_or_else(Vec::new, |polygon| polygon.vertices().to_vec())
 }
 
 /// The pieces whose boxes survive, after 1, 3 and 5 halvings, and the case that chords alone would lose.
@@ -168,7 +204,7 @@ pub fn intersection_algorithm() -> Figure {
     .draw(|values, canvas| {
         let [p, q] = [values.points("p")?, values.points("q")?];
         let curves = [BezierCurve::new(p)?, BezierCurve::new(q)?];
-        let crossings = crossings(&curves[0], &curves[1])?;
+        let (crossings, finished) = crossings(&curves[0], &curves[1])?;
         for step in [1, 3, 5] {
             canvas.panel(&format!("step {step}"));
             canvas.caption(&format!("$k = {step}$"));
@@ -191,21 +227,39 @@ pub fn intersection_algorithm() -> Figure {
         let found = arch.intersections(&post, h)?;
         let places = found.meetings.iter().map(|meeting| arch.at(meeting.first.middle()));
         canvas.points("crossing", places, PointStyle::Cross);
+        canvas.law(
+            "bezier-intersection-algorithm",
+            &laws::intersection_algorithm(|_, _| crossings.clone(), [&curves[0], &curves[1]], &[]),
+        );
+        let overlap = crossings
+            .iter()
+            .any(|meeting| matches!(meeting.kind, Kind::Overlap { .. }));
+        if overlap || !finished {
+            canvas.remark(
+                "The curves have a common piece, or nearly so: its boxes meet at every step, however small they are. \
+                 That halving singles out the intersections needs finitely many of them.",
+            );
+        } else if crossings.is_empty() {
+            canvas.remark("The curves do not meet: after some halvings no box meets another, and the algorithm ends.");
+        }
         Ok(())
     })
 }
 
-/// The boxes where two curves meet, with a tolerance that suits a drawing.
-fn crossings(first: &PlaneCurve, second: &PlaneCurve) -> Result<Vec<Meeting>, IntersectionError> {
+/// The boxes where two curves meet, with a tolerance that suits a drawing, and whether these are all.
+fn crossings(
+    first: &PlaneCurve,
+    second: &PlaneCurve,
+) -> Result<(Vec<Meeting>, bool), IntersectionError> {
     let size = [first, second]
         .iter()
         .flat_map(|curve| curve.control_points())
         .flat_map(|point| point.coordinates().to_vec())
         .fold(1.0, |largest: f64, x| largest.max(x.abs()));
     match first.intersections_within(second, 1e-4 * size, 2000) {
-        Ok(Intersections { meetings, .. }) => Ok(meetings),
+        Ok(Intersections { meetings, .. }) => Ok((meetings, true)),
         // A reader may drag the curves into each other; then the boxes found so far are shown.
-        Err(IntersectionError::TooMuchWork { found, .. }) => Ok(found.meetings),
+        Err(IntersectionError::TooMuchWork { found, .. }) => Ok((found.meetings, false)),
         Err(other) => Err(other),
     }
 }

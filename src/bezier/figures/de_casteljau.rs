@@ -1,8 +1,8 @@
 //! Figures of the section on the algorithm of de Casteljau.
 
 use crate::affine::Point;
-use crate::bezier::BezierCurve;
-use crate::figure::{Figure, PointStyle, Scheme, Style, decimal};
+use crate::bezier::{BezierCurve, laws};
+use crate::figure::{Canvas, Figure, PointStyle, Scheme, Style, decimal};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -57,6 +57,9 @@ pub fn motivation() -> Figure {
             Style::ControlPolygon,
         );
         canvas.labels("b", curve.control_points());
+        if curve.control_points().windows(2).all(|leg| leg[0] == leg[1]) {
+            canvas.remark("All control points are in one place: the curve is this point, and the three vectors are 0.");
+        }
         Ok(())
     })
 }
@@ -100,9 +103,23 @@ pub fn figure_de_casteljau() -> Figure {
                     }
                 }
             }
+            canvas.law(
+                "bezier-bernstein-representation",
+                &laws::bernstein_representation(BezierCurve::at, &curve, t),
+            );
         }
+        remark_on_ends(canvas, t);
         Ok(())
     })
+}
+
+/// What the construction does at the ends of the interval.
+fn remark_on_ends(canvas: &mut Canvas, t: f64) {
+    if t == 0.0 {
+        canvas.remark("t = 0: every point of division is the first end of its segment, and the last one is the first control point.");
+    } else if t == 1.0 {
+        canvas.remark("t = 1: every point of division is the second end of its segment, and the last one is the last control point.");
+    }
 }
 
 /// A cubic beyond both ends of [0, 1], with the extrapolating construction.
@@ -144,6 +161,17 @@ pub fn parameter_range() -> Figure {
         canvas.point("b(t)", triangle.tip(), PointStyle::Result);
         canvas.label(&format!("b({})", decimal(t, 2)), triangle.tip());
         canvas.labels("b", curve.control_points());
+        canvas.law(
+            "bezier-bernstein-representation",
+            &laws::bernstein_representation(BezierCurve::at, &curve, t),
+        );
+        if !(0.0..=1.0).contains(&t) {
+            canvas.remark(
+                "t is outside [0, 1]: one of the weights t and 1 − t is negative. The formulas hold; \
+                 what needs convex combinations does not: b(t) may leave the convex hull of the control points.",
+            );
+        }
+        remark_on_ends(canvas, t);
         Ok(())
     })
 }
@@ -163,7 +191,13 @@ pub fn de_casteljau_triangle() -> Figure {
     .draw(|values, canvas| {
         let points = [[0.0, 0.0], [1.0, 3.0], [4.0, 3.0], [5.0, 0.0]];
         let curve = BezierCurve::new(points.map(Point::new))?;
-        let triangle = curve.triangle(values.number("t")?);
+        let t = values.number("t")?;
+        let triangle = curve.triangle(t);
+        canvas.law(
+            "bezier-de-casteljau",
+            &laws::de_casteljau(BezierCurve::triangle, &curve, t),
+        );
+        remark_on_ends(canvas, t);
         let columns = triangle.columns().enumerate().map(|(level, column)| {
             let entry = |(i, point): (usize, &Point<f64, 2>)| {
                 let name = match level {

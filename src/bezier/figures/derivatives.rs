@@ -1,8 +1,9 @@
 //! Figures of the section on derivatives.
 
-use crate::bezier::{BezierCurve, ParabolaMap, QuadraticTrace};
+use crate::affine::Point;
+use crate::bezier::{BezierCurve, ParabolaMap, QuadraticTrace, laws};
 use crate::curves::PlaneCurvature;
-use crate::figure::{Figure, PointStyle, Side, Style};
+use crate::figure::{Canvas, Figure, PointStyle, Side, Style};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -55,8 +56,24 @@ pub fn derivative_consequences() -> Figure {
         for (i, vector) in hodograph.control_points().iter().enumerate() {
             canvas.label(&format!("3\\Delta b_{i}"), vector);
         }
+        canvas.panel("curve");
+        canvas.law(
+            "bezier-derivative-consequences",
+            &laws::derivative_consequences(BezierCurve::derivative, &curve, t),
+        );
+        remark_on_tangent(canvas, last);
         Ok(())
     })
+}
+
+/// What becomes of the tangent where the derivative is 0.
+fn remark_on_tangent(canvas: &mut Canvas, last_segment: &[Point<f64, 2>]) {
+    if last_segment.windows(2).all(|ends| ends[0] == ends[1]) {
+        canvas.remark(
+            "The last segment is a point: the derivative is 0 here, and the construction shows no tangent. \
+             That the segment is tangent needs b′(t) ≠ 0.",
+        );
+    }
 }
 
 /// The construction of the worked example at t = 0.6, with the tangent.
@@ -91,6 +108,11 @@ pub fn de_casteljau_worked_example() -> Figure {
                 }
             }
         }
+        canvas.law(
+            "bezier-de-casteljau",
+            &laws::de_casteljau(BezierCurve::triangle, &curve, values.number("t")?),
+        );
+        remark_on_tangent(canvas, last);
         Ok(())
     })
 }
@@ -120,6 +142,27 @@ pub fn end_curvature() -> Figure {
         }
         canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
         canvas.labels("b", curve.control_points());
+        let points = curve.control_points();
+        if points[0] == points[1] {
+            canvas.remark(
+                "b₀ and b₁ are in one place: the derivative is 0 there, and the formula divides by the length of the first leg. \
+                 It needs b₀ ≠ b₁.",
+            );
+            return Ok(());
+        }
+        if curve.osculating_circle(0.0).is_err() {
+            canvas.remark("b₀, b₁ and b₂ are on a line: the curvature at the start is 0, and there is no circle.");
+        }
+        canvas.law(
+            "bezier-end-curvature",
+            &laws::end_curvature(
+                |curve, t| {
+                    let curvature = PlaneCurvature::curvature(curve, t).ok()?;
+                    Some(curvature * curvature.abs())
+                },
+                &curve,
+            ),
+        );
         Ok(())
     })
 }
@@ -163,6 +206,22 @@ pub fn quadratic_parabola() -> Figure {
         }
         canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
         canvas.labels("b", points);
+        canvas.law(
+            "bezier-quadratic-parabola",
+            &laws::quadratic_parabola(|_, x, y| map.apply(x, y), &curve, 0.5),
+        );
+        match curve.quadratic_trace()? {
+            QuadraticTrace::Parabola => {}
+            QuadraticTrace::Turning { .. } => canvas.remark(
+                "The control points are on a line: the map flattens the parabola onto it, \
+                 and the curve runs to and fro. For an arc of a parabola the three points must not be on a line.",
+            ),
+            QuadraticTrace::Segment => canvas.remark(
+                "The control points are on a line in their order: the map flattens the parabola onto it, \
+                 and a segment remains.",
+            ),
+            QuadraticTrace::Point => canvas.remark("The control points are in one place, and so is the curve."),
+        }
         Ok(())
     })
 }

@@ -1,6 +1,6 @@
 //! Figures of the section on degree elevation and Bernstein approximation.
 
-use crate::bezier::BezierCurve;
+use crate::bezier::{BezierCurve, laws};
 use crate::figure::{Axes, Figure, Side, Style};
 use crate::scalar::OrderedScalar;
 
@@ -42,6 +42,19 @@ pub fn degree_elevation() -> Figure {
         }
         canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
         canvas.labels("b", curve.control_points());
+        canvas.law(
+            "bezier-degree-elevation",
+            &laws::degree_elevation(BezierCurve::elevated, &curve, 0.5),
+        );
+        if curve
+            .control_points()
+            .windows(2)
+            .all(|leg| leg[0] == leg[1])
+        {
+            canvas.remark(
+                "All control points are in one place, and elevation adds more of them there.",
+            );
+        }
         Ok(())
     })
 }
@@ -72,6 +85,17 @@ pub fn bernstein_approximation() -> Figure {
         let chosen = BezierCurve::bernstein_approximation(corner, values.count("m")?)?;
         canvas.graph("chosen degree", 0.0..=1.0, |t| chosen.at(t), Style::Curve);
         canvas.legend(&format!("$m = {}$ (chosen)", values.count("m")?), Style::Curve);
+        let law = laws::bernstein_approximation(
+            |polygon: &dyn Fn(f64) -> f64, m| {
+                BezierCurve::bernstein_approximation(polygon, m).unwrap_or_else(|_| chosen.clone())
+            },
+            chosen.control_points(),
+            0.5,
+        );
+        canvas.law("bezier-bernstein-approximation", &law);
+        if chosen.degree() == 1 {
+            canvas.remark("For m = 1 only the ends count: the approximation is the chord, and the corner does not show at all.");
+        }
         Ok(())
     })
 }
@@ -136,6 +160,9 @@ pub fn disadvantages() -> Figure {
         canvas.label("b_0", curve.control_points()[0]);
         canvas.label(&format!("b_{MOVED}"), curve.control_points()[MOVED]);
         canvas.label("b_9", curve.control_points()[9]);
+        if curve.control_points() == changed.control_points() {
+            canvas.remark("The control point is where it was, and both curves are the same.");
+        }
         Ok(())
     })
 }

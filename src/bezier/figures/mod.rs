@@ -22,21 +22,30 @@ pub use subdivision::*;
 
 use crate::figure::Figure;
 
-/// All figures of this chapter.
+/// The figures on the construction of a curve and on its representations.
 #[must_use]
-pub fn all() -> Vec<Figure> {
-    [
+pub fn construction() -> Vec<Figure> {
+    joined([
         bernstein::all(),
         blossom::all(),
-        bounds::all(),
         de_casteljau::all(),
-        derivatives::all(),
         elevation::all(),
         representation::all(),
-        shape::all(),
-        subdivision::all(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    ])
+}
+
+/// The figures on the shape of a curve and on its derivatives.
+#[must_use]
+pub fn shape_and_derivatives() -> Vec<Figure> {
+    joined([derivatives::all(), shape::all()])
+}
+
+/// The figures on distances and on subdivision.
+#[must_use]
+pub fn distances() -> Vec<Figure> {
+    joined([bounds::all(), subdivision::all()])
+}
+
+fn joined<const N: usize>(sections: [Vec<Figure>; N]) -> Vec<Figure> {
+    sections.into_iter().flatten().collect()
 }

@@ -1,6 +1,6 @@
 //! Figures of the section on the Bernstein representation.
 
-use crate::bezier::{BezierCurve, TrianglePaths, bernstein_basis};
+use crate::bezier::{BezierCurve, TrianglePaths, bernstein_basis, laws};
 use crate::figure::{Figure, PointStyle, Scheme, Style};
 
 pub(super) fn all() -> Vec<Figure> {
@@ -54,6 +54,13 @@ pub fn de_casteljau_path_counting() -> Figure {
             |scheme, ((level, index), target)| scheme.highlighted(level, index, target),
         );
         canvas.scheme("scheme", &scheme);
+        let law = laws::de_casteljau_path_counting(|n, k| TrianglePaths::new(n, k).collect(), n, k, 0.4);
+        canvas.law("bezier-de-casteljau-path-counting", &law);
+        if values.count("k")? > n {
+            canvas.remark("There is no control point of this index, as k is at most n; the paths are those of the last one.");
+        } else if k == 0 || k == n {
+            canvas.remark("From an end of the column a single path leads to the tip, along a side of the triangle.");
+        }
         Ok(())
     })
 }
@@ -108,6 +115,17 @@ pub fn polynomial_curve_smooth() -> Figure {
         canvas.label("0", [0.0, 0.0]);
         canvas.point("b'(t)", velocity, PointStyle::Result);
         canvas.label("b'(t)", velocity);
+        canvas.panel("curve");
+        canvas.law(
+            "bezier-derivative",
+            &laws::derivative(|curve, t| curve.derivative().at(t), &curve, t),
+        );
+        if velocity[0] == 0.0 && velocity[1] == 0.0 {
+            canvas.remark(
+                "The velocity is 0 here. The curve is differentiable as ever, but that it has a tangent needs b′(t) ≠ 0: \
+                 it may turn sharply.",
+            );
+        }
         Ok(())
     })
 }
@@ -137,6 +155,13 @@ pub fn centre_of_gravity() -> Figure {
         canvas.point("b(t)", curve.at(t), PointStyle::Result);
         canvas.label("b(t)", curve.at(t));
         canvas.labels("b", curve.control_points());
+        canvas.law(
+            "bezier-bernstein-representation",
+            &laws::bernstein_representation(BezierCurve::at, &curve, t),
+        );
+        if t == 0.0 || t == 1.0 {
+            canvas.remark("t is an end of the interval: the whole mass is in one control point, and the curve goes through it.");
+        }
         Ok(())
     })
 }

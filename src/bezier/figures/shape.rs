@@ -1,8 +1,10 @@
 //! Figures of the section on the shape of Bézier curves.
 
-use crate::affine::{Affine, AffineMap, BoundingBox, ConvexHull, Line};
-use crate::bezier::{BezierCurve, PlaneCurve, Root, RootKind, sign_changes};
-use crate::figure::{Figure, PointStyle, Side, Style};
+use crate::affine::{Affine, AffineMap, BoundingBox, ConvexHull, Line, Vector, plane_determinant};
+use crate::bezier::{
+    BezierCurve, LineIntersections, PlaneCurve, Root, RootKind, laws, sign_changes,
+};
+use crate::figure::{BoxError, Canvas, Figure, Place, PointStyle, Side, Style};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -41,6 +43,16 @@ pub fn figure_convex_hull() -> Figure {
         );
         canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
         canvas.labels("b", curve.control_points());
+        let directions = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].map(Vector::from);
+        canvas.law(
+            "bezier-convex-hull",
+            &laws::convex_hull(BezierCurve::at, &curve, 0.5, &directions),
+        );
+        match hull.vertices().len() {
+            1 => canvas.remark("All control points are in one place: the hull is this point, and so is the curve."),
+            2 => canvas.remark("The control points are on a line: the hull is a segment, and the curve stays on it."),
+            _ => {}
+        }
         Ok(())
     })
 }
@@ -90,6 +102,16 @@ pub fn figure_affine_invariance() -> Figure {
             canvas.label(&format!("\\alpha(b_{i})"), point);
         }
         canvas.label("\\alpha(b(t))", map.point(&curve.at(t)));
+        canvas.law(
+            "bezier-affine-invariance",
+            &laws::affine_invariance(|_, _| image.clone(), &curve, &map, t),
+        );
+        if plane_determinant(&Vector::from(row(1)?), &Vector::from(row(2)?)) == 0.0 {
+            canvas.remark(
+                "The determinant is 0: the map flattens the plane onto a line or a point. \
+                 The statement does not ask for an inverse, and it holds.",
+            );
+        }
         Ok(())
     })
 }
@@ -117,7 +139,17 @@ pub fn line_intersections() -> Figure {
             let meetings = curve.line_intersections(&line)?;
             let points = meetings.parameters().iter().map(|root| curve.at(root.parameter()));
             canvas.points("intersections", points, PointStyle::Cross);
+            let found: Vec<(f64, usize)> = meetings
+                .parameters()
+                .iter()
+                .map(|root| (root.parameter(), multiplicity(root.kind)))
+                .collect();
+            canvas.law(
+                "bezier-line-intersections",
+                &laws::line_intersections(|_, _| meetings.clone(), &curve, &line, &found),
+            );
         }
+        remark_on_line(canvas, &curve, &p, &q)?;
         canvas.points("points of the line", [p, q], PointStyle::Guide);
         canvas.labels("b", curve.control_points());
         canvas.label("p", p);
@@ -162,13 +194,49 @@ pub fn variation_diminishing() -> Figure {
                 crossings.len()
             );
             canvas.text("crossings", &numbers, [-0.4, 4.9], Side::Right);
+            let parameters: Vec<f64> = (0..=64).map(|k| f64::from(k) / 64.0).collect();
+            canvas.law(
+                "bezier-variation-diminishing",
+                &laws::variation_diminishing(BezierCurve::at, &curve, &line, &parameters),
+            );
         }
+        remark_on_line(canvas, &curve, &p, &q)?;
         canvas.points("points of the line", [p, q], PointStyle::Guide);
         canvas.labels("b", curve.control_points());
         canvas.label("p", p);
         canvas.label("q", q);
         Ok(())
     })
+}
+
+/// How many intersections a root certainly stands for.
+fn multiplicity(kind: RootKind) -> usize {
+    match kind {
+        RootKind::Exactly(multiplicity) => multiplicity,
+        RootKind::Odd => 1,
+        RootKind::Possible => 0,
+    }
+}
+
+/// What becomes of the intersections where there is no line, or the curve lies in it.
+fn remark_on_line(
+    canvas: &mut Canvas,
+    curve: &PlaneCurve,
+    p: &Place,
+    q: &Place,
+) -> Result<(), BoxError> {
+    match Line::through(p, q) {
+        Err(_) => canvas.remark("p and q are in one place, and no line is determined by them."),
+        Ok(line) => {
+            if curve.line_intersections(&line)? == LineIntersections::Within {
+                canvas.remark(
+                    "The whole curve lies in the line, and each of its points is an intersection. \
+                     That there are at most n needs a curve that is not in the line.",
+                );
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Whether the sign changes at a root inside the unit interval.

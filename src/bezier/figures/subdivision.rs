@@ -1,7 +1,8 @@
 //! Figures of the section on subdivision.
 
-use crate::bezier::BezierCurve;
-use crate::figure::{Figure, PointStyle, Style, decimal, midpoint};
+use crate::affine::Point;
+use crate::bezier::{BezierCurve, PlaneCurve, laws};
+use crate::figure::{Canvas, Figure, PointStyle, Style, decimal, midpoint};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -52,6 +53,17 @@ pub fn figure_subdivision() -> Figure {
         canvas.label("b_2^1", triangle.point(1, 2));
         canvas.legend("left piece", Style::Level(1));
         canvas.legend("right piece", Style::Level(2));
+        let pieces = [left, right];
+        canvas.law(
+            "bezier-subdivision",
+            &laws::subdivision(|_, _| pieces.clone(), &curve, alpha, 0.5),
+        );
+        if alpha == 0.0 || alpha == 1.0 {
+            canvas.remark(
+                "α is an end of the interval: one piece is a point, and the other is the whole curve. \
+                 Two pieces with a polygon of their own need 0 < α < 1.",
+            );
+        }
         Ok(())
     })
 }
@@ -101,8 +113,28 @@ pub fn figure_corner_cutting() -> Figure {
         }
         canvas.point("b(1/2)", triangle.tip(), PointStyle::OnCurve);
         canvas.labels("b", curve.control_points());
+        canvas.law(
+            "bezier-corner-cutting-convergence",
+            &laws::corner_cutting_convergence(vertices, &curve, 1),
+        );
+        remark_on_point(canvas, longest == 0.0);
         Ok(())
     })
+}
+
+/// The control polygon after some halvings.
+fn vertices(curve: &PlaneCurve, steps: usize) -> Vec<Point<f64, 2>> {
+    let polygon = curve.corner_cutting().nth(steps);
+    polygon.map_or_else(Vec::new, |polygon| polygon.vertices().to_vec())
+}
+
+/// What is left of the legs where all control points are in one place.
+fn remark_on_point(canvas: &mut Canvas, is_point: bool) {
+    if is_point {
+        canvas.remark(
+            "All control points are in one place: every leg has the length 0, before and after.",
+        );
+    }
 }
 
 /// The steps that are drawn, one panel each.
@@ -127,6 +159,12 @@ pub fn corner_cutting_convergence() -> Figure {
             canvas.curve("curve", 0.0..=1.0, |t| curve.at(t), Style::Curve);
             canvas.polyline("polygon", polygon.vertices(), Style::SecondPolygon);
         }
+        canvas.law(
+            "bezier-corner-cutting-convergence",
+            &laws::corner_cutting_convergence(vertices, &curve, 3),
+        );
+        let points = curve.control_points();
+        remark_on_point(canvas, points.windows(2).all(|leg| leg[0] == leg[1]));
         Ok(())
     })
 }

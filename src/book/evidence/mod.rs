@@ -291,7 +291,11 @@ impl Sources<'_> {
         for (id, mention) in inside.chain(elsewhere) {
             match self.figure(&id) {
                 Ok(place) => {
-                    if self.registry.figure(&id).is_ok_and(|figure| figure.live) {
+                    if self
+                        .registry
+                        .figure(&id)
+                        .is_ok_and(|figure| figure.live.is_some())
+                    {
                         evidence.add(Need::Interactive, place.clone());
                     }
                     evidence.add(Need::Figure, place);

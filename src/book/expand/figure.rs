@@ -26,15 +26,16 @@ impl Expansion<'_> {
             }),
             Err(problem) => Err(problem),
         };
-        let (svg, figure) = match (svg, self.site.registry.figure(id)) {
-            (Ok(svg), Ok(figure)) => (svg, figure),
+        let (drawing, figure) = match (svg, self.site.registry.figure(id)) {
+            (Ok(drawing), Ok(figure)) => (drawing, figure),
             (Err(problem), _) | (_, Err(problem)) => {
                 self.report(directive, problem);
                 return String::new();
             }
         };
         // A blank line would end the block of HTML.
-        let svg: String = svg
+        let svg: String = drawing
+            .svg
             .lines()
             .map(str::trim)
             .filter(|line| !line.is_empty())
@@ -67,15 +68,33 @@ impl Expansion<'_> {
             }
             None => String::new(),
         };
-        let live = if figure.live {
-            format!(" data-figure=\"{id}\"")
-        } else {
-            String::new()
+        let live = match figure.live {
+            Some(part) => format!(" data-figure=\"{id}\" data-part=\"{part}\""),
+            None => String::new(),
+        };
+        let laws = match figure.live {
+            Some(_) => self.names_of_laws(&drawing.laws, directive),
+            None => String::new(),
         };
         let title = escape(figure.title.trim().trim_end_matches('.'));
         format!(
-            "\n\n<figure class=\"drawing\"{anchor}{live}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>\n</figure>\n\n"
+            "\n\n<figure class=\"drawing\"{anchor}{live}>\n{svg}\n<figcaption>{number}<span class=\"title\">{title}.</span></figcaption>{laws}\n</figure>\n\n"
         )
+    }
+
+    /// What the laws are called that the live figure shows, each a link to its statement, for the script to pick from.
+    fn names_of_laws(&self, laws: &[String], directive: &Directive) -> String {
+        let names: String = laws
+            .iter()
+            .map(|law| {
+                let name = self.reference(law, false, directive);
+                format!("<span data-law=\"{law}\">{name}</span>")
+            })
+            .collect();
+        match names.as_str() {
+            "" => names,
+            _ => format!("<span hidden>{names}</span>"),
+        }
     }
 }
 

@@ -1,0 +1,305 @@
+//! What stands beside a live figure: the laws, for the values that a reader chose, and why a position is special.
+
+use std::collections::BTreeMap;
+
+use cagd::figure::{Figure, LawReading, ParameterKind, Plot};
+use cagd::gallery;
+
+/// Live figures without a law: what they show is no equation or inequality, but a comparison by eye.
+const WITHOUT_LAW: [&str; 4] = [
+    "bezier-motivation",
+    "bezier-disadvantages",
+    "affine-central-projection-not-affine",
+    "affine-figure-convex",
+];
+
+fn with_laws() -> Vec<Figure> {
+    let is_live = |figure: &Figure| !figure.parameters().is_empty();
+    let named = |figure: &Figure| {
+        let id = figure.id();
+        (id.starts_with("affine-") || id.starts_with("bezier-")) && !WITHOUT_LAW.contains(&id)
+    };
+    gallery::all()
+        .into_iter()
+        .filter(|figure| is_live(figure) && named(figure))
+        .collect()
+}
+
+/// A number in [0, 1) that depends on the seed alone; the step is that of `numerical recipes`, §7.1.
+fn chance(seed: &mut u64) -> f64 {
+    *seed = seed
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Values as a reader could drag them: handles around where they were, sliders anywhere.
+fn dragged(figure: &Figure, seed: &mut u64) -> String {
+    let mut near = |x: f64| (4.0 * (x + 6.0 * chance(seed) - 3.0)).round() / 4.0 + 0.1;
+    let mut parts = vec![];
+    for parameter in figure.parameters() {
+        let value = match &parameter.kind {
+            ParameterKind::Handles { defaults, .. } => defaults
+                .iter()
+                .map(|p| format!("{},{}", near(p[0]), near(p[1])))
+                .collect::<Vec<_>>()
+                .join(";"),
+            ParameterKind::Handle { default, .. } => {
+                format!("{},{}", near(default[0]), near(default[1]))
+            }
+            ParameterKind::Slider { low, high, .. } => (low
+                + (high - low) * (near(0.0) + 2.9) / 6.0)
+                .clamp(*low, *high)
+                .to_string(),
+            ParameterKind::Stepper { low, high, .. } => {
+                let share = (near(0.0) + 2.9) / 6.0;
+                (low + ((high - low) as f64 * share.clamp(0.0, 1.0)) as usize).to_string()
+            }
+        };
+        parts.push(format!("{}={value}", parameter.name));
+    }
+    parts.join("&")
+}
+
+fn plotted(figure: &Figure, text: &str) -> Plot {
+    let values = figure
+        .values(text)
+        .unwrap_or_else(|e| panic!("{}: {text}: {e}", figure.id()));
+    figure
+        .plot(&values)
+        .unwrap_or_else(|e| panic!("{}: {text}: {e}", figure.id()))
+}
+
+#[test]
+fn every_live_figure_shows_its_law_and_the_law_holds() {
+    for figure in with_laws() {
+        let plot = plotted(&figure, "");
+        let readings = plot.readings();
+        assert!(!readings.is_empty(), "{} shows no law", figure.id());
+        for reading in readings {
+            assert!(reading.holds, "{}: {reading:?}", figure.id());
+            assert!(!reading.left.is_empty(), "{}: {reading:?}", figure.id());
+        }
+    }
+}
+
+#[test]
+fn the_laws_hold_wherever_a_reader_drags() {
+    let mut seed = 1;
+    let mut inequalities = 0;
+    for figure in with_laws() {
+        for _ in 0..40 {
+            let text = dragged(&figure, &mut seed);
+            for reading in plotted(&figure, &text).readings() {
+                assert!(reading.holds, "{} at {text}: {reading:?}", figure.id());
+                inequalities += usize::from(reading.residual < 0.0);
+            }
+        }
+    }
+    // Inequalities that hold with room say that the sides are numbers and not twice the same.
+    assert!(inequalities > 100, "{inequalities}");
+}
+
+/// The readings of a figure as they stand on the page.
+fn written(plot: &Plot) -> Vec<String> {
+    let line = |r: &LawReading| format!("{}: {} {} {}", r.claim, r.left, r.relation, r.right);
+    plot.readings().iter().map(line).collect()
+}
+
+#[test]
+fn the_sides_are_those_of_the_default_picture() {
+    let figure = |id: &str| gallery::find(id).unwrap_or_else(|| panic!("no figure {id}"));
+    let lines = |id: &str| written(&plotted(&figure(id), ""));
+    assert_eq!(
+        lines("bezier-bernstein-polynomials")[1],
+        "they sum to 1: 1 = 1"
+    );
+    assert_eq!(
+        lines("bezier-de-casteljau-triangle")[3],
+        "column 3 combines its neighbours with weights 1 − t and t: 1.904, 2.16 = 1.904, 2.16"
+    );
+    assert_eq!(
+        lines("affine-figure-triangle-area")[0].split(": ").last(),
+        Some("3.24 = 3.24")
+    );
+    assert_eq!(
+        lines("affine-figure-pick"),
+        ["the area is I + R/2 − 1: 2.5 = 2.5"]
+    );
+}
+
+/// For each figure with a hypothesis: a position without it, and a word of the sentence that says what it was for.
+const SPECIAL: &[(&str, &str, &str)] = &[
+    ("bezier-bernstein-polynomials", "t=0", "0 < t < 1"),
+    ("bezier-unimodal", "m=1", "at an end"),
+    ("bezier-blossom-de-casteljau", "t=1", "length 0"),
+    (
+        "bezier-chord-bound",
+        "b=0,0;1,1;2,2;3,3",
+        "second differences are 0",
+    ),
+    (
+        "bezier-chord-bound",
+        "b=0,0;1,1;2,2;0,0",
+        "ends where it starts",
+    ),
+    (
+        "bezier-control-polygon-bound",
+        "b=0,0;0,1;0,2;0,3;0,4",
+        "second differences are 0",
+    ),
+    (
+        "bezier-uniform-convergence",
+        "b=1,1;1,1;1,1;1,1;1,1",
+        "second differences are 0",
+    ),
+    (
+        "bezier-intersection-algorithm",
+        "q=0,1;3,8;6,-3;9,4.5",
+        "finitely many",
+    ),
+    (
+        "bezier-intersection-algorithm",
+        "q=0,11;3,18;6,13;9,14",
+        "do not meet",
+    ),
+    ("bezier-motivation", "b=1,1;1,1;1,1;1,1", "in one place"),
+    ("bezier-figure-de-casteljau", "t=0", "first control point"),
+    ("bezier-parameter-range", "t=-0.2", "negative"),
+    ("bezier-parameter-range", "t=1", "last control point"),
+    ("bezier-de-casteljau-triangle", "t=1", "last control point"),
+    (
+        "bezier-derivative-consequences",
+        "t=0&b=0,0;0,0;1,1;2,0",
+        "b′(t) ≠ 0",
+    ),
+    (
+        "bezier-de-casteljau-worked-example",
+        "b=1,1;1,1;1,1;1,1",
+        "b′(t) ≠ 0",
+    ),
+    ("bezier-end-curvature", "b=0,0;0,0;1,1;2,0", "b₀ ≠ b₁"),
+    ("bezier-end-curvature", "b=0,0;1,0;2,0;2,2", "no circle"),
+    ("bezier-quadratic-parabola", "b=0,0;3,0;1,0", "to and fro"),
+    (
+        "bezier-quadratic-parabola",
+        "b=0,0;1,0;2,0",
+        "segment remains",
+    ),
+    ("bezier-quadratic-parabola", "b=1,1;1,1;1,1", "in one place"),
+    (
+        "bezier-degree-elevation",
+        "b=1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    ("bezier-bernstein-approximation", "m=1", "chord"),
+    ("bezier-disadvantages", "c=7,4", "the same"),
+    ("bezier-de-casteljau-path-counting", "n=2&k=3", "at most n"),
+    (
+        "bezier-de-casteljau-path-counting",
+        "n=3&k=0",
+        "single path",
+    ),
+    ("bezier-polynomial-curve-smooth", "t=0.5", "turn sharply"),
+    ("bezier-centre-of-gravity", "t=1", "whole mass"),
+    (
+        "bezier-figure-convex-hull",
+        "b=0,0;1,1;2,2;3,3;1,1",
+        "segment",
+    ),
+    (
+        "bezier-figure-convex-hull",
+        "b=1,1;1,1;1,1;1,1;1,1",
+        "this point",
+    ),
+    (
+        "bezier-figure-affine-invariance",
+        "m_11=0&m_12=0",
+        "determinant is 0",
+    ),
+    ("bezier-line-intersections", "p=1,1&q=1,1", "no line"),
+    (
+        "bezier-line-intersections",
+        "b=0,0;1,0;2,0;3,0&p=0,0&q=1,0",
+        "not in the line",
+    ),
+    ("bezier-variation-diminishing", "p=1,1&q=1,1", "no line"),
+    ("bezier-figure-subdivision", "alpha=0", "0 < α < 1"),
+    (
+        "bezier-figure-corner-cutting",
+        "b=1,1;1,1;1,1;1,1",
+        "length 0",
+    ),
+    (
+        "bezier-corner-cutting-convergence",
+        "b=1,1;1,1;1,1;1,1",
+        "length 0",
+    ),
+    (
+        "affine-figure-triangle-area",
+        "R=0,0&P=1,1&Q=2,2",
+        "determinant is 0",
+    ),
+    ("affine-figure-pick", "P=0,0;1,1;2,2", "an inside"),
+    ("affine-barycentric-on-line", "p=1,1;1,1", "A ≠ B"),
+    (
+        "affine-barycentric-in-triangle",
+        "A=0,0&B=1,1&C=2,2",
+        "not on a line",
+    ),
+    ("affine-barycentric-in-triangle", "G=9,9", "negative"),
+    ("affine-exercise-points-on-line", "A=1,1&B=1,1", "A ≠ B"),
+    (
+        "affine-figure-combinations",
+        "a=1,1&b=2,2",
+        "linearly dependent",
+    ),
+    ("affine-barycentre", "w_0=0&w_1=0&w_2=0", "another sum"),
+    ("affine-barycentre", "w_0=0", "no part"),
+    ("affine-map-examples", "w=1,0", "no projection"),
+    ("affine-central-projection-not-affine", "A=1,0", "no image"),
+    (
+        "affine-central-projection-not-affine",
+        "A=0,2&B=2,2",
+        "parallel",
+    ),
+    (
+        "affine-exercise-image-of-points",
+        "A=0,0&B=1,1&C=2,2",
+        "not determined",
+    ),
+    (
+        "affine-map-properties",
+        "O'=0,0&E_1'=1,1&E_2'=2,2",
+        "areas become 0",
+    ),
+    ("affine-map-properties", "P=1,1&Q=1,1", "no ratio"),
+    ("affine-figure-shear", "a=0", "identity"),
+];
+
+#[test]
+fn a_degenerate_position_says_what_the_hypothesis_was_for() {
+    for (id, text, expected) in SPECIAL {
+        let figure = gallery::find(id).unwrap_or_else(|| panic!("no figure {id}"));
+        let plot = plotted(&figure, text);
+        let said = plot.remarks().join(" ");
+        assert!(said.contains(expected), "{id} at {text} says: {said}");
+        for reading in plot.readings() {
+            assert!(reading.holds, "{id} at {text}: {reading:?}");
+        }
+    }
+}
+
+/// A remark is for what is special; where the default position is special itself, it is the theme of the figure.
+#[test]
+fn a_general_position_needs_no_remark() {
+    const SPECIAL_BY_DEFAULT: [&str; 1] = ["bezier-parameter-range"];
+    let mut remarks: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for figure in gallery::all() {
+        let plot = plotted(&figure, "");
+        if !plot.remarks().is_empty() && !SPECIAL_BY_DEFAULT.contains(&figure.id()) {
+            remarks.insert(figure.id().to_owned(), plot.remarks().to_vec());
+        }
+    }
+    assert!(remarks.is_empty(), "{remarks:#?}");
+}
