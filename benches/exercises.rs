@@ -68,6 +68,24 @@ fn verdict(c: &mut Criterion) {
         });
     });
     group.finish();
+
+    let block = "use cagd::affine::Point;\n\
+         use cagd::bezier::BezierCurve;\n\
+         let curve = BezierCurve::new([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]].map(Point::new))?;\n\
+         println!(\"{:?}\", curve.at(0.5)[1]);\n\
+         Ok::<(), cagd::bezier::BezierError>(())";
+    let mut group = c.benchmark_group("from Run to the output");
+    group
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(10));
+    group.bench_function("an example of a page", |b| {
+        b.iter(|| {
+            let run = checker.run_example(block).expect("the example is run");
+            assert_eq!(run.output, "1.0\n");
+            hint::black_box(run);
+        });
+    });
+    group.finish();
 }
 
 criterion_group!(benches, verdict);

@@ -1,7 +1,10 @@
 //! Nobody else gets in: other hosts, other sites, other programs.
 
-use crate::support::{Server, with};
+use cagd::workbook::server::Token;
 
+use crate::support::{Answer, Server, with};
+
+const RUN: &str = "POST /__workbook/run";
 const FIGURE: &str = "POST /__workbook/figure";
 
 #[test]
@@ -56,7 +59,7 @@ fn another_host_is_refused_whatever_it_asks() {
         format!("127.0.0.1.evil.example:{port}"),
         String::new(),
     ];
-    for line in ["GET /", "GET /__workbook/state", FIGURE] {
+    for line in ["GET /", "GET /__workbook/state", FIGURE, RUN] {
         for host in &foreign {
             let answer = server.ask(line, &with(&server.reader(), "Host", Some(host)), "");
             assert_eq!(answer.status, 421, "{line} of {host}: {answer:?}");
@@ -84,8 +87,10 @@ fn another_origin_is_refused() {
     let secure = format!("https://127.0.0.1:{port}");
     let foreign = ["http://evil.example", "null", &neighbour, &secure, ""];
     for origin in foreign.map(Some).into_iter().chain([None]) {
-        let answer = server.ask(FIGURE, &with(&reader, "Origin", origin), "x");
-        assert_eq!(answer.status, 403, "{origin:?}: {answer:?}");
+        for line in [FIGURE, RUN] {
+            let answer = server.ask(line, &with(&reader, "Origin", origin), "x");
+            assert_eq!(answer.status, 403, "{line} of {origin:?}: {answer:?}");
+        }
     }
     let mut cross = reader.clone();
     cross.push(("Sec-Fetch-Site".into(), "same-site".into()));
@@ -98,4 +103,100 @@ fn another_origin_is_refused() {
         answer.header("cross-origin-resource-policy"),
         Some("same-origin")
     );
+}
+
+#[test]
+fn nothing_runs_without_the_token_of_this_start() {
+    let server = Server::start();
+    let port = server.address.port();
+    let (reader, token) = (server.reader(), server.token.text());
+    let other = Token::random().expect("random bytes");
+    let wrong = [
+        None,
+        Some(String::new()),
+        Some(format!("workbook-{port}=")),
+        Some(format!("workbook-{port}={}", other.text())),
+        Some(format!("workbook-{port}={}", &token[..token.len() - 1])),
+        Some(format!("workbook-{}={token}", port.wrapping_add(1))),
+        Some(format!("workbook={token}")),
+    ];
+    for cookie in &wrong {
+        let answer = server.ask(RUN, &with(&reader, "Cookie", cookie.as_deref()), "{}");
+        assert_eq!(answer.status, 403, "{cookie:?}: {answer:?}");
+        assert!(answer.body.contains("cargo run"), "{answer:?}");
+    }
+    // The token in the address opens the door and does nothing else.
+    let line = format!("{RUN}?token={token}");
+    let answer = server.ask(&line, &with(&reader, "Cookie", None), "{}");
+    assert_eq!(answer.status, 405, "{answer:?}");
+    // A foreign page is not told that a token would help.
+    let foreign = with(
+        &with(&reader, "Cookie", None),
+        "Origin",
+        Some("http://evil.example"),
+    );
+    let answer = server.ask(RUN, &foreign, "{}");
+    assert!(!answer.body.contains("link"), "{answer:?}");
+    // With everything in its place the request is read: it has no code.
+    let answer = server.ask(RUN, &reader, "{}");
+    assert_eq!(answer.status, 422, "{answer:?}");
+}
+
+#[test]
+fn a_form_of_another_site_could_not_even_write_the_request() {
+    let server = Server::start();
+    let mut plain = server.reader();
+    plain.push(("Content-Type".into(), "text/plain".into()));
+    plain.push(("Content-Length".into(), "12".into()));
+    let mut stream = server.send(RUN, &plain, "");
+    std::io::Write::write_all(&mut stream, b"{\"code\":\"1\"}").expect("it is read");
+    assert_eq!(Answer::of(stream).status, 415);
+}
+
+#[test]
+fn no_path_leads_out_of_the_book() {
+    let server = Server::start();
+    let ways = [
+        "/../secret.txt",
+        "/bezier/../../secret.txt",
+        "/%2e%2e/secret.txt",
+        "/%2E%2E%2Fsecret.txt",
+        "/..%2fsecret.txt",
+        "/..%5csecret.txt",
+        "/..\\secret.txt",
+        "/bezier/..%2f..%2fsecret.txt",
+        "/....//secret.txt",
+        "/.%00./secret.txt",
+        "/%252e%252e/secret.txt",
+        "//etc/passwd",
+        "/%2fetc%2fpasswd",
+    ];
+    for way in ways {
+        for headers in [server.visitor(), server.reader()] {
+            let answer = server.ask(&format!("GET {way}"), &headers, "");
+            assert_ne!(answer.status, 200, "{way}: {answer:?}");
+            assert!(!answer.body.contains("a secret"), "{way}: {answer:?}");
+            assert!(!answer.body.contains("root:"), "{way}: {answer:?}");
+        }
+    }
+    server.assert_readable();
+}
+
+#[test]
+fn each_page_has_a_policy_that_runs_its_own_scripts_alone() {
+    let server = Server::start();
+    let answer = server.ask("GET /bezier/shape.html", &server.reader(), "");
+    let policy = answer.header("content-security-policy").expect("a policy");
+    assert!(policy.starts_with("default-src 'none';"), "{policy}");
+    // The page's own, the one that tells of the server, the one that reloads.
+    assert_eq!(policy.matches("'sha256-").count(), 3, "{policy}");
+    let scripts = policy.split(';').find(|rule| rule.contains("script-src"));
+    assert!(
+        !scripts.expect("a rule").contains("unsafe-inline"),
+        "{policy}"
+    );
+    let answer = server.ask("GET /__workbook/state", &server.reader(), "");
+    let policy = answer.header("content-security-policy").expect("a policy");
+    assert!(policy.starts_with("default-src 'none'"), "{policy}");
+    assert_eq!(answer.header("x-content-type-options"), Some("nosniff"));
 }

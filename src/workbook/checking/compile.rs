@@ -187,7 +187,7 @@ fn refused_unseen(source: &Source) -> Option<Diagnostic> {
 }
 
 /// A new folder below the work folder.
-fn new_folder(library: &Library) -> Result<tempfile::TempDir, CheckingError> {
+pub(super) fn new_folder(library: &Library) -> Result<tempfile::TempDir, CheckingError> {
     fs::create_dir_all(&library.work)
         .and_then(|()| {
             tempfile::Builder::new()
@@ -198,7 +198,7 @@ fn new_folder(library: &Library) -> Result<tempfile::TempDir, CheckingError> {
 }
 
 /// The arguments of every compilation.
-fn common(library: &Library, name: &str, folder: &Path) -> Vec<OsString> {
+pub(super) fn common(library: &Library, name: &str, folder: &Path) -> Vec<OsString> {
     let mut arguments: Vec<OsString> = [
         "--edition=2024",
         "--error-format=json",
@@ -225,7 +225,7 @@ fn common(library: &Library, name: &str, folder: &Path) -> Vec<OsString> {
 ///
 /// On this platform it would do so anyway, but through a wrapper that looks for itself in `/proc`, which a sandbox does
 /// not have. The linker itself knows by the name of a link what it is asked to be.
-fn linker(library: &Library, folder: &Path) -> Result<Vec<OsString>, CheckingError> {
+pub(super) fn linker(library: &Library, folder: &Path) -> Result<Vec<OsString>, CheckingError> {
     let own = library
         .sysroot
         .join("lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld");
@@ -249,15 +249,15 @@ fn linker(library: &Library, folder: &Path) -> Result<Vec<OsString>, CheckingErr
 }
 
 /// What a compiler run gave.
-struct Said {
-    succeeded: bool,
+pub(super) struct Said {
+    pub(super) succeeded: bool,
     ending: Ending,
     stderr: String,
 }
 
 impl Said {
     /// The diagnostics, with the file called as the reader knows it.
-    fn diagnostics(&self, file: &str, shown_as: &str) -> Vec<Diagnostic> {
+    pub(super) fn diagnostics(&self, file: &str, shown_as: &str) -> Vec<Diagnostic> {
         self.stderr
             .lines()
             .filter_map(|line| serde_json::from_str::<Value>(line).ok())
@@ -295,7 +295,7 @@ impl Said {
     }
 
     /// The diagnostic of a compiler that ended without a word about the source.
-    fn ended(&self) -> Diagnostic {
+    pub(super) fn ended(&self) -> Diagnostic {
         let message = format!("the compiler {}", self.ending);
         Diagnostic {
             level: "error".into(),
@@ -307,7 +307,7 @@ impl Said {
 }
 
 /// Runs the compiler in a folder.
-fn rustc(
+pub(super) fn rustc(
     library: &Library,
     folder: &Path,
     arguments: Vec<OsString>,

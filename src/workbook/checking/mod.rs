@@ -10,12 +10,14 @@
 //! | [`compile`] | an answer and the tests of its exercise become a program |
 //! | [`trial`] | the program runs, and tells its results over a channel of its own |
 //! | [`verdict`] | what `check --json` prints, the page shows and `grade` counts |
+//! | [`example`] | a Rust block of a page is compiled and run |
 //! | [`runner`] | how compiler and program are run |
 //! | [`mod@check`] | all of it for one answer |
 //! | [`misconception`] | which mutant an answer behaves like |
 
 pub mod check;
 pub mod compile;
+pub mod example;
 pub mod library;
 pub mod misconception;
 pub mod runner;

@@ -11,6 +11,8 @@
 //! | [`guard`] | who may ask for what |
 //! | [`exercise`] | what a reader does with an exercise |
 //! | [`queue`] | two programs run at once, the others wait |
+//! | [`workbench`] | the library against which programs are compiled |
+//! | [`run`] | a Rust block of a page is run |
 //!
 //! ```text
 //! every request ─ host ─┬─ pages, news                     anybody on this machine, to read
@@ -23,14 +25,15 @@
 //! through the queue:
 //!
 //! ```text
-//! async fn check(State(site): State<Site>, answer: String) -> Result<Json<Verdict>, QueueError> {
-//!     let verdict = site.queue.run(move |stop| { … }).await?;
+//! async fn check(State(site): State<Site>, answer: String) -> Result<Json<Verdict>, RunError> {
+//!     let workbench = site.workbench.clone();
+//!     let verdict = site.queue.run(move |stop| workbench.checker(stop)?.check(…)).await??;
 //!     Ok(Json(verdict))
 //! }
 //! ```
 //!
-//! The closure runs on a thread that may block. `stop` becomes true when the browser hangs up; hand it to
-//! [`Checker::until`](crate::workbook::checking::Checker::until).
+//! The closure runs on a thread that may block. `stop` becomes true when the browser hangs up; what the checker runs
+//! then ends, and the check is an error that nobody hears, so nothing is recorded.
 //! A page knows by `window.workbookServer.mayRun` whether it may ask; other scripts inside pages than those that the
 //! server or mdBook write are refused by the browser.
 
@@ -44,7 +47,11 @@ mod news;
 mod pages;
 mod policy;
 pub mod queue;
+#[cfg(unix)]
+pub mod run;
 pub mod token;
+#[cfg(unix)]
+pub mod workbench;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -62,7 +69,11 @@ use tower_http::services::{ServeDir, ServeFile};
 pub use address::{ServerError, listen};
 pub use news::State;
 pub use queue::{Queue, QueueError};
+#[cfg(unix)]
+pub use run::RunError;
 pub use token::Token;
+#[cfg(unix)]
+pub use workbench::Workbench;
 
 /// What is served.
 #[derive(Debug, Clone)]
@@ -89,6 +100,9 @@ pub struct Site {
     /// The exercises and the reader's answers.
     #[cfg(unix)]
     pub desks: exercise::Desks,
+    /// What compiles and runs programs.
+    #[cfg(unix)]
+    pub workbench: Workbench,
     state: watch::Receiver<State>,
     stopped: watch::Receiver<bool>,
     token: Token,
@@ -109,6 +123,8 @@ impl Site {
             queue: Queue::new(stopped.clone()),
             #[cfg(unix)]
             desks: exercise::Desks::new(&book.root, &book.answers, &book.folder),
+            #[cfg(unix)]
+            workbench: Workbench::new(&book.root),
             state: book.state.clone(),
             stopped,
             token: book.token.clone(),
@@ -161,15 +177,19 @@ pub async fn ctrl_c() {
 }
 
 /// What runs code, writes files or shows answers.
+#[cfg(unix)]
 fn routes_of_the_reader() -> Router<Site> {
-    let routes = Router::new().route(
-        "/__workbook/reader",
-        // Whether the token that a page has is still the right one.
-        get(|| async { axum::http::StatusCode::NO_CONTENT }),
-    );
-    #[cfg(unix)]
-    let routes = routes.merge(exercise::routes());
-    routes
+    Router::new()
+        .route("/__workbook/run", post(run::run))
+        .merge(exercise::routes())
+}
+
+/// Programs are run on Unix alone; the page shows this answer.
+#[cfg(not(unix))]
+fn routes_of_the_reader() -> Router<Site> {
+    let error = crate::workbook::sandbox::SandboxError::Unsupported.to_string();
+    let answer = move || async move { (axum::http::StatusCode::NOT_IMPLEMENTED, error) };
+    Router::new().route("/__workbook/run", post(answer))
 }
 
 fn routes(site: &Site, book: &Book) -> Router {
