@@ -80,7 +80,6 @@ pub use creases::{CreaseError, Creases, VertexRule};
 pub use doo_sabin::{DooSabin, doo_sabin_face, doo_sabin_weights};
 pub use fan::{Fan, FanNet};
 pub use four_point::{critical_tension, four_point_differences, four_point_rule};
-pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights};
 pub use kobbelt::{Kobbelt, kobbelt_virtual_point, kobbelt_virtual_weights, kobbelt_weights};
 pub use lattice_mask::{LatticeIndex, LatticeMask};
 pub use laurent::LaurentPolynomial;

@@ -79,7 +79,7 @@ pub fn unimodal() -> Figure {
         let middle = bernstein_maximum::<f64>(m, m / 2, &interval)?;
         canvas.law(
             "bezier-unimodal",
-            &laws::unimodal(|_, _, _| middle.clone(), m, m / 2, &interval, &[0.25, 0.5, 0.75]),
+            &laws::unimodal(|_, _, _| middle, m, m / 2, &interval, &[0.25, 0.5, 0.75]),
         );
         if m == 1 {
             canvas.remark(

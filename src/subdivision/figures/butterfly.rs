@@ -1,7 +1,6 @@
 //! Figures of the section on the modified Butterfly scheme.
 
 use super::loop_scheme::{KNOB, mean, painted, spoke};
-use crate::affine::Affine;
 use crate::figure::{Figure, Place, PointStyle, Style, View, decimal};
 use crate::subdivision::{
     Butterfly, SurfaceScheme, butterfly_centre_weight, butterfly_star_weights, butterfly_weights,

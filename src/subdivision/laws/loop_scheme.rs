@@ -199,7 +199,7 @@ fn turned(mut face: Vec<u32>) -> Vec<u32> {
 pub fn loop_properties<T: CosineOfTurn>(matrix: &SubdivisionMatrix<T>) -> Sides<T> {
     let k = matrix.fan().valence();
     let sides = Sides::new(format!("valence {k}"));
-    match eigenvectors(k) {
+    match eigenvectors::<T>(k) {
         Err(error) => refused(sides, &error),
         Ok(pairs) => pairs.into_iter().fold(sides, |sides, (value, vector)| {
             let expected: Vec<T> = vector.iter().map(|x| value.clone() * x.clone()).collect();

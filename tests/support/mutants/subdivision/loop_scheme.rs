@@ -116,7 +116,7 @@ pub fn edges_as_tangents<T: CosineOfTurn>(
     mesh: &Mesh<Point<T, 3>>,
     v: VertexId,
 ) -> Result<[Vector<T, 3>; 2], SchemeError> {
-    let mut ring = mesh.connectivity().neighbours(v).cycle();
+    let mut ring = mesh.connectivity().neighbours(v);
     let mut edge = || match ring.next() {
         Some(n) => mesh.point(n).clone() - mesh.point(v).clone(),
         None => Vector::zeros(),
