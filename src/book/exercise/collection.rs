@@ -32,38 +32,35 @@ impl Exercises {
     ///
     /// Everything that the schema does not allow, each with file, line and remedy.
     pub fn load(root: &Path, packs: &[PathBuf], catalogue: &Catalogue) -> Result<Self, BookErrors> {
-        let mut errors = Vec::new();
-        let mut exercises = Vec::new();
-        let folders = std::iter::once(PathBuf::from(FOLDER)).chain(packs.iter().cloned());
-        for folder in folders {
-            let is_pack = folder != Path::new(FOLDER);
-            for (name, folder) in folders_of(root, &folder, &mut errors) {
-                if is_pack && hidden::are_in(&root.join(&folder)) {
-                    continue;
-                }
-                match read(root, &folder, &name) {
-                    Ok(exercise) => {
-                        check(&exercise, catalogue, &mut errors);
-                        exercises.push(exercise);
-                    }
-                    Err(found) => errors.extend(found),
-                }
-            }
-        }
-        let chapter_of = |name: &ExerciseName| {
-            let place = CHAPTERS.iter().position(|&c| c == name.chapter());
-            place.unwrap_or(CHAPTERS.len())
+        let found = Found::read(root, packs, catalogue);
+        BookErrors::none_of(found.errors)?;
+        Ok(Self {
+            exercises: found.exercises,
+        })
+    }
+
+    /// As [`load`](Self::load), but an exercise with mistakes is left out, so that the others can be worked on.
+    pub fn load_sound(root: &Path, packs: &[PathBuf], catalogue: &Catalogue) -> (Self, Mistakes) {
+        let Found {
+            mut exercises,
+            errors,
+            folders,
+        } = Found::read(root, packs, catalogue);
+        let Err(errors) = BookErrors::none_of(errors) else {
+            return (Self { exercises }, Mistakes::default());
         };
-        exercises.sort_by_key(|exercise: &Exercise| {
-            (
-                chapter_of(&exercise.name),
-                exercise.front.order,
-                exercise.name.clone(),
-            )
+        let is_in = |error: &BookError, folder: &Path| error.place.file.starts_with(folder);
+        exercises.retain(|exercise| !errors.iter().any(|error| is_in(error, &exercise.folder)));
+        let with_mistakes = folders.into_iter().filter_map(|(name, folder)| {
+            let errors = errors.iter().filter(|error| is_in(error, &folder));
+            let errors: Vec<BookError> = errors.cloned().collect();
+            (!errors.is_empty()).then_some((name, errors))
         });
-        check_names(&exercises, &mut errors);
-        BookErrors::none_of(errors)?;
-        Ok(Self { exercises })
+        let mistakes = Mistakes {
+            exercises: with_mistakes.collect(),
+            all: Some(errors),
+        };
+        (Self { exercises }, mistakes)
     }
 
     /// The exercises, chapter by chapter, each chapter in its order.
@@ -85,6 +82,67 @@ impl Exercises {
             .map(|exercise| exercise.name.to_string())
             .collect();
         most_similar(text, names.iter().map(String::as_str))
+    }
+}
+
+/// What the schema does not allow, in a book of which the rest is used.
+#[derive(Debug, Clone, Default)]
+pub struct Mistakes {
+    /// The exercises with mistakes, which were left out.
+    pub exercises: Vec<(ExerciseName, Vec<BookError>)>,
+    /// All mistakes, also those that belong to no exercise.
+    pub all: Option<BookErrors>,
+}
+
+/// What was found in the folders.
+struct Found {
+    /// The exercises that can be read, in the order of the list.
+    exercises: Vec<Exercise>,
+    /// What is wrong with them and with the others.
+    errors: Vec<BookError>,
+    /// The folders of all.
+    folders: Vec<(ExerciseName, PathBuf)>,
+}
+
+impl Found {
+    fn read(root: &Path, packs: &[PathBuf], catalogue: &Catalogue) -> Self {
+        let mut errors = Vec::new();
+        let mut exercises = Vec::new();
+        let mut all = Vec::new();
+        let folders = std::iter::once(PathBuf::from(FOLDER)).chain(packs.iter().cloned());
+        for folder in folders {
+            let is_pack = folder != Path::new(FOLDER);
+            for (name, folder) in folders_of(root, &folder, &mut errors) {
+                if is_pack && hidden::are_in(&root.join(&folder)) {
+                    continue;
+                }
+                all.push((name.clone(), folder.clone()));
+                match read(root, &folder, &name) {
+                    Ok(exercise) => {
+                        check(&exercise, catalogue, &mut errors);
+                        exercises.push(exercise);
+                    }
+                    Err(found) => errors.extend(found),
+                }
+            }
+        }
+        let chapter_of = |name: &ExerciseName| {
+            let place = CHAPTERS.iter().position(|&c| c == name.chapter());
+            place.unwrap_or(CHAPTERS.len())
+        };
+        exercises.sort_by_key(|exercise: &Exercise| {
+            (
+                chapter_of(&exercise.name),
+                exercise.front.order,
+                exercise.name.clone(),
+            )
+        });
+        check_names(&exercises, &all, &mut errors);
+        Self {
+            exercises,
+            errors,
+            folders: all,
+        }
     }
 }
 
@@ -453,7 +511,11 @@ fn check_document(
 }
 
 /// Names are unique, and prerequisites are there and do not go round in circles.
-fn check_names(exercises: &[Exercise], errors: &mut Vec<BookError>) {
+fn check_names(
+    exercises: &[Exercise],
+    folders: &[(ExerciseName, PathBuf)],
+    errors: &mut Vec<BookError>,
+) {
     let mut by_name: BTreeMap<&ExerciseName, &Exercise> = BTreeMap::new();
     for exercise in exercises {
         if let Some(first) = by_name.insert(&exercise.name, exercise) {
@@ -472,7 +534,8 @@ fn check_names(exercises: &[Exercise], errors: &mut Vec<BookError>) {
     }
     for exercise in exercises {
         for needed in &exercise.front.prerequisites {
-            if !by_name.contains_key(needed) {
+            // One that cannot be read is there all the same.
+            if !folders.iter().any(|(name, _)| name == needed) {
                 let found = format!("there is no exercise `{needed}`");
                 errors.push(mistake(
                     exercise.file(),

@@ -32,7 +32,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::tableaux;
 
-pub use collection::Exercises;
+pub use collection::{Exercises, Mistakes};
 pub use document::{Document, Section};
 pub use front_matter::FrontMatter;
 pub use hidden::HiddenTests;

@@ -48,7 +48,11 @@ impl Place {
             Some(folder) => absolute(folder)?,
             None => root.join(answers::FOLDER),
         };
-        Desk::open(&root, &packs, &folder)
+        let desk = Desk::open(&root, &packs, &folder)?;
+        if let Some(mistakes) = &desk.mistakes.all {
+            anstream::eprintln!("{mistakes}\n");
+        }
+        Ok(desk)
     }
 }
 

@@ -8,15 +8,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::grade::{must_be_writable, to_file};
 use crate::book::catalogue::Catalogue;
-use crate::book::exercise::{Exercise, Exercises};
+use crate::book::exercise::{Exercise, ExerciseName, Exercises, Mistakes};
 use crate::workbook::checking::Checker;
 use crate::workbook::command_line::{Failure, Outcome};
 use crate::workbook::house;
 use crate::workbook::sandbox::Isolation;
+use crate::workbook::verify::judge::unreadable;
 use crate::workbook::verify::report::Report;
 use crate::workbook::verify::session::Progress;
 use crate::workbook::verify::text::Text;
-use crate::workbook::verify::{junit, verify};
+use crate::workbook::verify::{Verified, junit, verify};
 
 /// What `verify` is asked.
 #[derive(Debug, Args)]
@@ -53,16 +54,22 @@ impl Verify {
         }
         let root = house::find()?;
         let catalogue = Catalogue::load(&root)?;
-        let exercises = Exercises::load(&root, &absolute_packs(&self.pack)?, &catalogue)?;
-        let chosen = self.chosen(&exercises)?;
+        let packs = absolute_packs(&self.pack)?;
+        let (exercises, mistakes) = Exercises::load_sound(&root, &packs, &catalogue);
+        if let Some(errors) = &mistakes.all {
+            eprintln!("{errors}\n");
+        }
+        let unreadable = self.unreadable(&mistakes);
+        let chosen = self.chosen(&exercises, &unreadable)?;
         let checker = Checker::new(&root, Isolation::best())?;
         let bar = progress_bar();
-        let verified = verify(&checker, &chosen, !self.no_cache, &|progress: Progress| {
+        let mut verified = verify(&checker, &chosen, !self.no_cache, &|progress: Progress| {
             bar.set_length(progress.all as u64);
             bar.set_message(progress.exercise.name.to_string());
             bar.inc(1);
         })?;
         bar.finish_and_clear();
+        verified.extend(unreadable);
 
         if let Some(file) = &self.junit {
             let xml = junit::xml(&verified);
@@ -89,9 +96,42 @@ impl Verify {
         })
     }
 
+    /// What is to be said about the exercises of the names that do not follow the schema.
+    fn unreadable(&self, mistakes: &Mistakes) -> Vec<Verified> {
+        let is_chosen = |name: &ExerciseName| {
+            self.names.is_empty() || self.names.iter().any(|chosen| is_name_of(chosen, name))
+        };
+        let chosen = mistakes
+            .exercises
+            .iter()
+            .filter(|(name, _)| is_chosen(name));
+        chosen
+            .map(|(name, errors)| Verified {
+                report: unreadable(name, errors),
+                before: None,
+                from_cache: false,
+            })
+            .collect()
+    }
+
     /// The exercises of the names, in the order of the list; all without names.
-    fn chosen<'a>(&self, exercises: &'a Exercises) -> Result<Vec<&'a Exercise>, Failure> {
-        require_names(&self.names, exercises)?;
+    fn chosen<'a>(
+        &self,
+        exercises: &'a Exercises,
+        unreadable: &[Verified],
+    ) -> Result<Vec<&'a Exercise>, Failure> {
+        let of_unreadable = |name: &&String| {
+            unreadable
+                .iter()
+                .any(|verified| is_name_of(name, &verified.report.exercise))
+        };
+        let known: Vec<String> = self
+            .names
+            .iter()
+            .filter(|name| !of_unreadable(name))
+            .cloned()
+            .collect();
+        require_names(&known, exercises)?;
         let is_chosen =
             |exercise: &&Exercise| self.names.is_empty() || is_named(&self.names, exercise);
         Ok(exercises.iter().filter(is_chosen).collect())
@@ -111,9 +151,12 @@ pub(super) fn absolute_packs(packs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure>
 
 /// Whether one of the names is that of the exercise or of its chapter.
 pub(super) fn is_named(names: &[String], exercise: &Exercise) -> bool {
-    let fits =
-        |name: &String| exercise.name.to_string() == *name || exercise.name.chapter() == name;
-    names.iter().any(fits)
+    names.iter().any(|name| is_name_of(name, &exercise.name))
+}
+
+/// Whether a name is that of an exercise or of its chapter.
+fn is_name_of(name: &str, exercise: &ExerciseName) -> bool {
+    exercise.to_string() == name || exercise.chapter() == name
 }
 
 /// Each name is that of an exercise or of a chapter with exercises.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::PracticeError;
 use crate::book::catalogue::Catalogue;
 use crate::book::error::most_similar;
-use crate::book::exercise::{Exercise, ExerciseName, Exercises};
+use crate::book::exercise::{Exercise, ExerciseName, Exercises, Mistakes};
 use crate::workbook::answers::Answers;
 use crate::workbook::progress::{Entry, Progress, Store, digest};
 
@@ -18,6 +18,8 @@ pub struct Desk {
     pub catalogue: Catalogue,
     /// All exercises.
     pub exercises: Exercises,
+    /// What is wrong with exercises that were left out.
+    pub mistakes: Mistakes,
     /// The reader's answers.
     pub answers: Answers,
     /// The file of the progress.
@@ -29,16 +31,17 @@ impl Desk {
     ///
     /// # Errors
     ///
-    /// The exercises have errors.
+    /// The statements have errors; exercises with mistakes are left out, and `mistakes` tells them.
     pub fn open(root: &Path, packs: &[PathBuf], folder: &Path) -> Result<Self, PracticeError> {
         let catalogue = Catalogue::load(root)?;
-        let exercises = Exercises::load(root, packs, &catalogue)?;
+        let (exercises, mistakes) = Exercises::load_sound(root, packs, &catalogue);
         Ok(Self {
             answers: Answers::new(root, folder),
             store: Store::new(folder),
             root: root.to_path_buf(),
             catalogue,
             exercises,
+            mistakes,
         })
     }
 
@@ -58,6 +61,13 @@ impl Desk {
             .filter(|exercise| exercise.name.name() == name);
         if let (Some(exercise), None) = (short.next(), short.next()) {
             return Ok(exercise);
+        }
+        let mut broken = self.mistakes.exercises.iter().map(|(name, _)| name);
+        if let Some(broken) = broken.find(|b| b.to_string() == name || b.name() == name) {
+            return Err(PracticeError::Unfit(format!(
+                "the exercise `{broken}` has mistakes of its own\n\
+                 next step: mend them, or take another exercise: `cargo run -- list`"
+            )));
         }
         if let Some(file) = parsed.and_then(|name| self.answers.any_file(&name)) {
             return Err(PracticeError::LeftTheBook {

@@ -7,7 +7,8 @@ use super::report::{
 };
 use super::to_do;
 use super::trial::{Compilation, OTHER_SEEDS, Trial, first_failure};
-use crate::book::exercise::{Exercise, Tested};
+use crate::book::error::BookError;
+use crate::book::exercise::{Exercise, ExerciseKind, ExerciseName, Tested};
 use crate::workbook::checking::misconception::behave_alike;
 use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 
@@ -15,15 +16,29 @@ use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 pub fn exempt(exercise: &Exercise) -> Report {
     Report {
         shortcomings: to_do::list(exercise),
-        ..nothing_tried(exercise)
+        ..nothing_tried(&exercise.name, Some(exercise.front.kind))
+    }
+}
+
+/// The report about an exercise that does not follow the schema.
+pub fn unreadable(name: &ExerciseName, mistakes: &[BookError]) -> Report {
+    let shortcomings = mistakes.iter().map(|mistake| Shortcoming {
+        about: "schema".into(),
+        found: mistake.to_string(),
+        remedy: format!("mend `{}`", mistake.place.file.display()),
+        details: String::new(),
+    });
+    Report {
+        shortcomings: shortcomings.collect(),
+        ..nothing_tried(name, None)
     }
 }
 
 /// A report in which every field is still open.
-fn nothing_tried(exercise: &Exercise) -> Report {
+fn nothing_tried(name: &ExerciseName, kind: Option<ExerciseKind>) -> Report {
     Report {
-        exercise: exercise.name.clone(),
-        kind: exercise.front.kind,
+        exercise: name.clone(),
+        kind,
         starter: None,
         solution: None,
         mutants: None,
@@ -107,7 +122,7 @@ pub fn judge(exercise: &Exercise, tested: &Tested, trials: &[Trial]) -> Report {
         ),
         seconds: trials.iter().map(|trial| trial.seconds).sum(),
         shortcomings,
-        ..nothing_tried(exercise)
+        ..nothing_tried(&exercise.name, Some(exercise.front.kind))
     }
 }
 

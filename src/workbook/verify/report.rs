@@ -10,8 +10,8 @@ use crate::workbook::checking::verdict::TestOutcome;
 pub struct Report {
     /// The exercise.
     pub exercise: ExerciseName,
-    /// Its kind.
-    pub kind: ExerciseKind,
+    /// Its kind; none if the exercise cannot be read.
+    pub kind: Option<ExerciseKind>,
     /// What the reader begins with.
     pub starter: Option<StarterReport>,
     /// What passes.

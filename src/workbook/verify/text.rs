@@ -58,7 +58,10 @@ fn line(f: &mut fmt::Formatter<'_>, verified: &Verified, width: usize) -> fmt::R
                 write!(f, "{:.1} s", report.seconds)?;
             }
         }
-        _ => write!(f, "{}: nothing to verify", report.kind.title())?,
+        _ => match report.kind {
+            Some(kind) => write!(f, "{}: nothing to verify", kind.title())?,
+            None => f.write_str("cannot be read")?,
+        },
     }
     writeln!(f, "{FAINT:#}")
 }

@@ -1,7 +1,7 @@
 //! From the list to the solution, as a reader goes through it.
 
 use std::io::{BufRead, BufReader};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
@@ -415,4 +415,44 @@ fn an_empty_answer_is_one_error() {
         assert_eq!(errors[0]["message"], "the answer is empty");
         reader.run(&["check"]).assert_says("cargo run -- reset");
     }
+}
+
+#[test]
+fn a_broken_exercise_leaves_the_others_alone() {
+    let reader = Reader::new();
+    let pack = reader.path("pack");
+    for (name, text) in [("near-polygon", EXPLANATION), ("broken", "no front matter")] {
+        let folder = pack.join("bezier").join(name);
+        std::fs::create_dir_all(&folder).expect("a folder");
+        std::fs::write(folder.join("exercise.md"), text).expect("a file");
+    }
+    let pack = pack.to_str().expect("UTF-8");
+    let run = |arguments: &[&str]| reader.run(&[arguments, &["--pack", pack]].concat());
+    for arguments in [
+        ["list"].as_slice(),
+        &["start", "near-polygon"],
+        &["start", NAME],
+        &["hint", "near-polygon"],
+    ] {
+        let run = run(arguments);
+        run.assert_status(0);
+        assert!(run.stderr.contains("broken/exercise.md:1"), "{run:#?}");
+    }
+    let one = run(&["start", "bezier/broken"]);
+    one.assert_status(2)
+        .assert_says("has mistakes of its own")
+        .assert_says("next step");
+
+    let verify = |name: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_workbook"));
+        let command = command.current_dir(crate::root());
+        Run::of(command.args(["verify", name, "--json", "--pack", pack]))
+    };
+    let sound = verify("bezier/near-polygon");
+    sound.assert_status(0);
+    let broken = verify("bezier/broken");
+    broken.assert_status(1);
+    let reports: Value = serde_json::from_str(&broken.stdout).expect("JSON");
+    assert_eq!(reports[0]["exercise"], "bezier/broken");
+    assert_eq!(reports[0]["shortcomings"][0]["about"], "schema");
 }
