@@ -2,7 +2,6 @@
 
 use cagd::bezier::BezierCurve;
 use cagd::bspline::UniformSpline;
-use cagd::law::Sides;
 use cagd::scalar::BigRational;
 use cagd::subdivision::laws;
 
@@ -10,7 +9,7 @@ use super::polygons::{MAX_DEGREE, Polygon, Spline, unit_polygons, unit_splines};
 use crate::inputs::{for_each, ratio};
 use crate::support::mutants::subdivision::corner_cutting as averaging;
 use crate::support::mutants::subdivision::uniform_splines as mutants;
-use crate::support::{Outcome, holds, rejects};
+use crate::support::{holds, rejects};
 
 type Segment = fn(&Spline, usize) -> BezierCurve<BigRational>;
 type Refine = fn(&Spline) -> Spline;
@@ -52,19 +51,13 @@ fn uniform_splines() {
     );
 }
 
-fn rule(
-    degrees: std::ops::RangeInclusive<usize>,
-    law: fn(Refine, &Spline) -> Sides<BigRational>,
-    implementation: Refine,
-) -> Outcome {
-    for_each(degrees.flat_map(unit_splines), |spline| {
-        law(implementation, spline)
-    })
-}
-
 #[test]
 fn uniform_degree_zero_one() {
-    let law = |implementation: Refine| rule(0..=1, laws::uniform_degree_zero_one, implementation);
+    let law = |implementation: Refine| {
+        for_each((0..=1).flat_map(unit_splines), |spline| {
+            laws::uniform_degree_zero_one(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("no factor 1/2, as printed", law(mutants::without_one_half));
     rejects("always doubled", law(mutants::only_doubled));
@@ -73,7 +66,11 @@ fn uniform_degree_zero_one() {
 
 #[test]
 fn uniform_degree_two() {
-    let law = |implementation: Refine| rule(2..=2, laws::uniform_degree_two, implementation);
+    let law = |implementation: Refine| {
+        for_each(unit_splines(2), |spline| {
+            laws::uniform_degree_two(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("midpoints", law(mutants::midpoints_inserted));
     rejects("averaged once more", law(mutants::averaged_once_more));
@@ -81,7 +78,11 @@ fn uniform_degree_two() {
 
 #[test]
 fn uniform_degree_three() {
-    let law = |implementation: Refine| rule(3..=3, laws::uniform_degree_three, implementation);
+    let law = |implementation: Refine| {
+        for_each(unit_splines(3), |spline| {
+            laws::uniform_degree_three(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("midpoints", law(mutants::midpoints_inserted));
     rejects("averaged once more", law(mutants::averaged_once_more));

@@ -10,7 +10,7 @@ use super::polygons::{MAX_DEGREE, PlanePolygon, PlaneSpline, polygons, splines};
 use crate::generators::for_all;
 use crate::support::mutants::subdivision::corner_cutting as averaging;
 use crate::support::mutants::subdivision::uniform_splines as mutants;
-use crate::support::{Outcome, holds, rejects};
+use crate::support::{holds, rejects};
 
 type Segment = fn(&PlaneSpline, usize) -> BezierCurve<Point<f64, 2>>;
 type Refine = fn(&PlaneSpline) -> PlaneSpline;
@@ -46,19 +46,13 @@ fn uniform_splines() {
     );
 }
 
-fn rule(
-    degrees: std::ops::RangeInclusive<usize>,
-    law: fn(Refine, &PlaneSpline) -> cagd::law::Sides<f64>,
-    implementation: Refine,
-) -> Outcome {
-    for_all(degrees.prop_flat_map(splines), |spline| {
-        law(implementation, spline)
-    })
-}
-
 #[test]
 fn uniform_degree_zero_one() {
-    let law = |implementation: Refine| rule(0..=1, laws::uniform_degree_zero_one, implementation);
+    let law = |implementation: Refine| {
+        for_all((0..=1).prop_flat_map(splines), |spline| {
+            laws::uniform_degree_zero_one(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("always doubled", law(mutants::only_doubled));
     rejects("always midpoints", law(mutants::midpoints_inserted));
@@ -67,7 +61,11 @@ fn uniform_degree_zero_one() {
 
 #[test]
 fn uniform_degree_two() {
-    let law = |implementation: Refine| rule(2..=2, laws::uniform_degree_two, implementation);
+    let law = |implementation: Refine| {
+        for_all(splines(2), |spline| {
+            laws::uniform_degree_two(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("midpoints", law(mutants::midpoints_inserted));
     rejects("averaged once more", law(mutants::averaged_once_more));
@@ -75,7 +73,11 @@ fn uniform_degree_two() {
 
 #[test]
 fn uniform_degree_three() {
-    let law = |implementation: Refine| rule(3..=3, laws::uniform_degree_three, implementation);
+    let law = |implementation: Refine| {
+        for_all(splines(3), |spline| {
+            laws::uniform_degree_three(implementation, spline)
+        })
+    };
     holds(law(UniformSpline::refined));
     rejects("midpoints", law(mutants::midpoints_inserted));
     rejects("averaged once more", law(mutants::averaged_once_more));
