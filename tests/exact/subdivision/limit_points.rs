@@ -22,7 +22,9 @@ fn derivative_of_b_spline(degree: usize, order: usize, u: i64) -> Q {
 }
 
 /// Scheme, order of the derivative, and what is known of the limit.
-fn inputs() -> Vec<(Mask<Q>, usize, Vec<(i64, Q)>)> {
+type Input = (Mask<Q>, usize, Vec<(i64, Q)>);
+
+fn inputs() -> Vec<Input> {
     let splines = (2..=8_usize).flat_map(|degree| {
         // Of order n − 1 the derivative is continuous; of degree 1 there is no window but the point itself.
         (0..degree).map(move |order| {

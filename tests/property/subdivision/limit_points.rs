@@ -3,7 +3,6 @@
 use cagd::bspline::uniform_b_spline;
 use cagd::scalar::{BigRational, Scalar};
 use cagd::subdivision::{LimitStencil, Mask, laws};
-use proptest::prelude::*;
 
 use super::masks::data;
 use crate::generators::for_all_of;

@@ -2,7 +2,6 @@
 
 use cagd::scalar::BigRational;
 use cagd::subdivision::{LaurentPolynomial, Mask, Smoothness, laws};
-use proptest::prelude::*;
 
 use super::masks::{affine_mask, data, mask};
 use crate::generators::for_all_of;

@@ -49,7 +49,7 @@ fn uniform_splines() {
 #[test]
 fn uniform_degree_zero_one() {
     let law = |implementation: Refine| {
-        for_all((0..=1).prop_flat_map(splines), |spline| {
+        for_all((0..=1usize).prop_flat_map(splines), |spline| {
             laws::uniform_degree_zero_one(implementation, spline)
         })
     };
