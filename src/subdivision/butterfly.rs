@@ -236,8 +236,8 @@ pub fn butterfly_weights<T: Scalar>() -> [T; 3] {
 /// use cagd::subdivision::butterfly_star_weights;
 ///
 /// let ratio = BigRational::from_ratio;
-/// assert_eq!(butterfly_star_weights(4)?, [ratio(3, 8), ratio(0, 1), ratio(-1, 8), ratio(0, 1)]);
-/// assert_eq!(butterfly_star_weights(3)?, [ratio(5, 12), ratio(-1, 12), ratio(-1, 12)]);
+/// assert_eq!(butterfly_star_weights::<BigRational>(4)?, [ratio(3, 8), ratio(0, 1), ratio(-1, 8), ratio(0, 1)]);
+/// assert_eq!(butterfly_star_weights::<BigRational>(3)?, [ratio(5, 12), ratio(-1, 12), ratio(-1, 12)]);
 /// # Ok::<(), cagd::subdivision::CosineError>(())
 /// ```
 ///
@@ -267,7 +267,7 @@ pub fn butterfly_star_weights<T: CosineOfTurn>(valence: usize) -> Result<Vec<T>,
 /// use cagd::subdivision::butterfly_cosine_formula;
 /// let ratio = BigRational::from_ratio;
 /// let wrong = [ratio(7, 12), ratio(-1, 6), ratio(-1, 6)];
-/// assert_eq!(butterfly_cosine_formula(3)?, wrong);
+/// assert_eq!(butterfly_cosine_formula::<BigRational>(3)?, wrong);
 /// # Ok::<(), cagd::subdivision::CosineError>(())
 /// ```
 ///

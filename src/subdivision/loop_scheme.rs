@@ -274,7 +274,7 @@ pub fn loop_subdominant_eigenvalue<T: CosineOfTurn>(valence: usize) -> Result<T,
 ///
 /// ```
 /// use cagd::subdivision::loop_edge_weights;
-/// assert_eq!(loop_edge_weights(), [0.375, 0.375, 0.125, 0.125]);
+/// assert_eq!(loop_edge_weights::<f64>(), [0.375, 0.375, 0.125, 0.125]);
 /// ```
 #[must_use]
 pub fn loop_edge_weights<T: Scalar>() -> [T; 4] {
@@ -285,7 +285,7 @@ pub fn loop_edge_weights<T: Scalar>() -> [T; 4] {
 ///
 /// ```
 /// use cagd::subdivision::loop_boundary_weights;
-/// assert_eq!(loop_boundary_weights(), [0.75, 0.125, 0.125]);
+/// assert_eq!(loop_boundary_weights::<f64>(), [0.75, 0.125, 0.125]);
 /// ```
 #[must_use]
 pub fn loop_boundary_weights<T: Scalar>() -> [T; 3] {
@@ -318,7 +318,7 @@ pub fn loop_limit_weight<T: CosineOfTurn>(valence: usize) -> Result<T, CosineErr
 /// ```
 /// use cagd::subdivision::{LatticeMask, loop_lattice_mask};
 /// let symbol = LatticeMask::three_direction([2, 2, 2]).shifted([-2, -2]);
-/// assert_eq!(loop_lattice_mask()?, symbol);
+/// assert_eq!(loop_lattice_mask::<f64>()?, symbol);
 /// # Ok::<(), cagd::subdivision::CosineError>(())
 /// ```
 ///

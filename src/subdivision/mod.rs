@@ -8,13 +8,11 @@
 //! - [`four_point`] — the four-point scheme,
 //! - [`local_matrix`], [`limit_stencil`] — points of the limit by eigenvectors,
 //! - [`cosine`] — the irrational weights of schemes,
+//! - [`loop_scheme`], [`loop_limit`], [`butterfly`] — schemes for triangle meshes,
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
-//! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
-//! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
 //! - [`fan`], [`subdivision_matrix`], [`spectrum`], [`characteristic_map`] — what happens around an extraordinary point,
-//! - [`loop_scheme`], [`loop_limit`], [`butterfly`] — schemes for triangle meshes,
-//! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's;
+//! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
 //!
 //! the theorems are in [`laws`].
 
