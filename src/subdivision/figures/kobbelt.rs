@@ -28,7 +28,7 @@ pub fn figure_kobbelt() -> Figure {
          and to the four points that it gives; on the third to the columns first. \
          The last point is the same on both ways.",
     )
-    .rows(&[&["weights", WAYS[0], WAYS[1]]])
+    .rows(&[&["weights"], &WAYS])
     .handles_in(
         WAYS[0],
         "p",
