@@ -61,7 +61,7 @@ pub fn matrix() -> Figure {
         for (i, panel) in PANELS.into_iter().enumerate() {
             canvas.panel(panel);
             canvas.axes(Axes::new("k", ["\\lambda", "|\\lambda_3|"][i]));
-            canvas.window([2.5, 0.1], [12.5, 0.8]);
+            canvas.window([2.5, 0.0], [12.5, 0.8]);
             for (s, (line, name)) in lines.iter().zip(SCHEMES).enumerate() {
                 canvas.polyline(name, line[i].iter().copied(), Style::Series(s));
                 canvas.legend(name, Style::Series(s));

@@ -13,40 +13,40 @@ use crate::support::{Outcome, holds, rejects};
 
 type Product = fn(&SubdivisionMatrix<f64>, &[f64]) -> Vec<f64>;
 
-/// The law of the matrix for one scheme, with random data around a point of valence 3 to 12.
-fn matrix_of(
-    scheme: impl SurfaceScheme<f64>,
-    net: FanNet,
-    rings: usize,
-    product: Product,
-) -> Outcome {
-    let inputs = (3..=12usize).prop_flat_map(move |valence| {
-        let count = 1 + valence * 12;
-        (Just(valence), prop::collection::vec(-8.0..8.0, count))
-    });
-    for_all_of(24, inputs, |(valence, data)| {
-        let matrix =
-            SubdivisionMatrix::extract(&scheme, net, *valence, rings).expect("enough rings");
-        let data = &data[..matrix.len()];
-        laws::matrix(&scheme, &matrix, |v| product(&matrix, v), data)
-    })
-}
-
 #[test]
 fn matrix() {
+    /// The law of the matrix for one scheme, with random data around a point of valence 3 to 12.
+    fn law(
+        scheme: impl SurfaceScheme<f64>,
+        net: FanNet,
+        rings: usize,
+        product: Product,
+    ) -> Outcome {
+        let inputs = (3..=12usize).prop_flat_map(move |valence| {
+            let count = 1 + valence * 12;
+            (Just(valence), prop::collection::vec(-8.0..8.0, count))
+        });
+        for_all_of(24, inputs, |(valence, data)| {
+            let matrix =
+                SubdivisionMatrix::extract(&scheme, net, *valence, rings).expect("enough rings");
+            let data = &data[..matrix.len()];
+            laws::matrix(&scheme, &matrix, |v| product(&matrix, v), data)
+        })
+    }
+
     let apply: Product = |matrix, v| matrix.apply(v);
-    holds(matrix_of(Loop, FanNet::Triangles, 1, apply));
-    holds(matrix_of(Butterfly::MODIFIED, FanNet::Triangles, 2, apply));
-    holds(matrix_of(CatmullClark, FanNet::Quadrilaterals, 1, apply));
-    holds(matrix_of(DooSabin, FanNet::AroundFace, 2, apply));
-    holds(matrix_of(Kobbelt, FanNet::Quadrilaterals, 2, apply));
+    holds(law(Loop, FanNet::Triangles, 1, apply));
+    holds(law(Butterfly::MODIFIED, FanNet::Triangles, 2, apply));
+    holds(law(CatmullClark, FanNet::Quadrilaterals, 1, apply));
+    holds(law(DooSabin, FanNet::AroundFace, 2, apply));
+    holds(law(Kobbelt, FanNet::Quadrilaterals, 2, apply));
     rejects(
         "transposed",
-        matrix_of(Loop, FanNet::Triangles, 1, mutants::transposed),
+        law(Loop, FanNet::Triangles, 1, mutants::transposed),
     );
     rejects(
         "sectors reversed",
-        matrix_of(Loop, FanNet::Triangles, 1, mutants::sectors_reversed),
+        law(Loop, FanNet::Triangles, 1, mutants::sectors_reversed),
     );
 }
 
