@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         assert_eq!(side(&[0.1 + 0.2, 2.0, -1.0 / 3.0]), "0.3, 2, −0.3333");
-        assert_eq!(side(&[3.5275, -0.0, 8.88e-15]), "3.528, 0, 8.9·10⁻¹⁵");
+        assert_eq!(side(&[3.5276, -0.0, 8.88e-15]), "3.528, 0, 8.9·10⁻¹⁵");
         assert_eq!(side(&[BigRational::from_ratio(-7, 3)]), "−2.333");
         assert_eq!(side(&[1.0; 9]), "1, 1, 1, 1, …");
     }

@@ -49,7 +49,7 @@ fn may_import(module: &[String]) -> Vec<&'static str> {
         // Every chapter draws with it, so it must not look into a chapter that comes after points and vectors.
         Some("figure") => vec!["scalar", "law", "affine"],
         Some("gallery") => [&["figure"], CHAPTERS.as_slice()].concat(),
-        Some("live") => vec!["figure", "gallery"],
+        Some("live") => vec!["law", "figure", "gallery"],
         Some("tableaux") => [&["check"], CHAPTERS.as_slice()].concat(),
         Some("book") => [
             &["scalar", "law", "check", "tableaux", "figure", "gallery"],

@@ -228,10 +228,10 @@ fn without_picture(output: &str) -> (Option<String>, String) {
     let (Some(start), Some(end)) = (output.find("<svg"), output.rfind(end_mark)) else {
         return (None, output.to_owned());
     };
-    let end = end + end_mark.len();
     if end < start {
         return (None, output.to_owned());
     }
+    let end = end + end_mark.len();
     let rest = format!("{}{}", &output[..start], &output[end..]);
     (
         Some(output[start..end].to_owned()),
