@@ -188,7 +188,7 @@ impl Deal {
     /// let mut fields = deal.fields(&file).expect("it is its own file");
     /// fields[1][1] = "(6,12)".to_owned();
     /// let filled = deal.with_fields(&file, &fields)?.expect("it is its own file");
-    /// assert!(filled.contains("(8, 16)   (6, 12)\n"), "{filled}");
+    /// assert!(filled.contains("(8, 16)  (6, 12)\n"), "{filled}");
     /// fields[1][1] = "six".to_owned();
     /// assert!(deal.with_fields(&file, &fields).is_err());
     /// # Ok::<(), cagd::check::tableau::ReadingError>(())
