@@ -40,6 +40,7 @@ fn divided(mask: &[Q]) -> (Vec<Q>, Q) {
     (quotient, remainder)
 }
 
+/// Why: it tells a learner who forgot that the weights of each rule sum to 1 before the other tests speak of divisions.
 #[test]
 fn the_sum_is_two() {
     let mask = read();
