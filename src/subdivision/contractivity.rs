@@ -89,7 +89,7 @@ impl<T: OrderedScalar> Mask<T> {
     /// The norm ‖Sᴸ‖ of L steps: how much they can enlarge the largest absolute value of bounded data.
     ///
     /// It is the largest sum of absolute values of the weights of one of the 2ᴸ rules,
-    /// max over r of Σⱼ |a^[L] at r + 2ᴸj|.
+    /// max over r of Σⱼ |a⁽ᴸ⁾ at r + 2ᴸj|.
     ///
     /// # Examples
     ///

@@ -24,7 +24,7 @@ pub struct Library {
     pub cagd: PathBuf,
     /// The compiled crate proptest, for tests.
     pub proptest: PathBuf,
-    /// What the tests of exercises have in common, compiled; see [`INSTANCES`].
+    /// What the tests of exercises have in common, compiled; see `INSTANCES`.
     pub instances: PathBuf,
     /// The folder with the crates that these two need.
     pub dependencies: PathBuf,
