@@ -1,0 +1,11 @@
+//! misconception: A step cuts every edge into two, so the edges double; the new edges inside the faces are forgotten.
+
+/// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
+pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {
+    (0..steps).fold(counts, |[v, e, f], _| [v + e, 2 * e, 4 * f])
+}
+
+/// [V, E, F] of a closed mesh of any faces after `steps` steps of Catmull–Clark subdivision.
+pub fn catmull_clark_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {
+    (0..steps).fold(counts, |[v, e, f], _| [v + e + f, 2 * e, 2 * e])
+}
