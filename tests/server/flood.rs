@@ -4,7 +4,7 @@ use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use cagd::workbook::server::guard::LARGEST_REQUEST;
 use cagd::workbook::server::queue::{AT_ONCE, WAITING};
@@ -153,10 +153,12 @@ async fn work_is_told_to_stop_when_its_request_is_given_up_or_the_server_ends() 
             async move {
                 let work = move |stop: cagd::workbook::server::queue::Stop| {
                     begun.store(1, Ordering::SeqCst);
-                    while !stop.load(Ordering::Relaxed) {
+                    let patience = Instant::now() + Duration::from_secs(10);
+                    while !stop.load(Ordering::Relaxed) && Instant::now() < patience {
                         std::thread::sleep(Duration::from_millis(1));
                     }
-                    tell.send(()).expect("the test listens");
+                    let told = stop.load(Ordering::Relaxed);
+                    tell.send(told).expect("the test listens");
                 };
                 queue.run(work).await
             }
@@ -168,6 +170,6 @@ async fn work_is_told_to_stop_when_its_request_is_given_up_or_the_server_ends() 
             true => end.send(true).expect("the queue listens"),
             false => request.abort(),
         }
-        assert!(ended.recv().await.is_some());
+        assert_eq!(ended.recv().await, Some(true));
     }
 }
