@@ -1,0 +1,21 @@
+//! misconception: the vertex reaches its limit in one step; but the points around it move, too, and pull it further
+
+use cagd::affine::{Point, Vector};
+use cagd::scalar::Scalar;
+use cagd::subdivision::{Mesh, VertexId};
+
+/// The limit of the inner vertex `v`.
+pub fn limit_position<T: Scalar>(mesh: &Mesh<Point<T, 3>>, v: VertexId) -> Point<T, 3> {
+    let connectivity = mesh.connectivity();
+    let to = |other: VertexId| mesh.point(other).clone() - mesh.point(v).clone();
+    let (mut neighbours, mut opposite) = (Vector::<T, 3>::zeros(), Vector::<T, 3>::zeros());
+    let mut k = 0;
+    for h in connectivity.vertex_ring(v) {
+        neighbours += to(connectivity.destination(h));
+        opposite += to(connectivity.destination(connectivity.next(h)));
+        k += 1;
+    }
+    let whole = T::from_integer;
+    let sum = neighbours * whole(6) + opposite;
+    mesh.point(v).clone() + sum / whole(4 * k * k)
+}

@@ -1,0 +1,21 @@
+//! misconception: R is the mean of the neighbours; but it is that of the midpoints of the edges, half as far away
+
+use cagd::affine::{Point, Vector};
+use cagd::scalar::Scalar;
+
+/// The new place of the vertex `v`.
+pub fn vertex_point<T: Scalar>(
+    v: &Point<T, 3>,
+    neighbours: &[Point<T, 3>],
+    face_points: &[Point<T, 3>],
+) -> Point<T, 3> {
+    let count = T::from_integer(neighbours.len() as i64);
+    let mean = |points: &[Point<T, 3>]| {
+        let sum = points.iter().fold(Vector::zeros(), |sum: Vector<T, 3>, p| {
+            sum + (p.clone() - v.clone())
+        });
+        sum / count.clone()
+    };
+    let (faces, neighbours) = (mean(face_points), mean(neighbours));
+    v.clone() + (faces + neighbours * T::from_integer(2)) / count.clone()
+}
