@@ -1,0 +1,18 @@
+//! misconception: the opposite points cancel on a grid, so they may be left out everywhere; at other valences they do not cancel
+
+use cagd::scalar::Scalar;
+
+/// The point beyond a vertex, on the edge to `neighbours[0]`; one coordinate of it.
+pub fn virtual_point<T: Scalar>(neighbours: &[T], opposite: &[T]) -> T {
+    let n = neighbours.len();
+    let near = |points: &[T], numbers: &[usize]| {
+        let sum = |sum: T, &j: &usize| sum + points[(2 * n + j - 2) % n].clone();
+        numbers.iter().fold(T::zero(), sum)
+    };
+    let all = |points: &[T]| points.iter().fold(T::zero(), |sum, p| sum + p.clone());
+    let share = T::from_ratio(4, n as i64);
+    let ninth = T::from_ratio(1, 9);
+    let of_neighbours = share.clone() * all(neighbours) - near(neighbours, &[1, 2, 3]);
+    let _ = (ninth, opposite);
+    of_neighbours
+}
