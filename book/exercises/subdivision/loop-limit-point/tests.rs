@@ -40,9 +40,9 @@ fn compare(v: &Place, ring: &[Place]) {
         _ => fraction(6, 1),
     };
     let right = Point::new([0, 1, 2].map(|axis: usize| {
-        let sum = ring
-            .iter()
-            .fold(omega.clone() * v[axis].clone(), |sum, n| sum + n[axis].clone());
+        let sum = ring.iter().fold(omega.clone() * v[axis].clone(), |sum, n| {
+            sum + n[axis].clone()
+        });
         sum / (omega.clone() + fraction(k as i64, 1))
     }));
     claim("the limit position")
@@ -67,7 +67,15 @@ fn octahedron() {
 /// Why: the regular case is the one that most books print.
 #[test]
 fn six_neighbours() {
-    let ring = [[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 0, 0], [-1, -1, 0], [0, -1, 0]].map(place);
+    let ring = [
+        [1, 0, 0],
+        [1, 1, 0],
+        [0, 1, 0],
+        [-1, 0, 0],
+        [-1, -1, 0],
+        [0, -1, 0],
+    ]
+    .map(place);
     compare(&place([0, 0, 12]), &ring);
 }
 

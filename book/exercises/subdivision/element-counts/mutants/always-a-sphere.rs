@@ -1,4 +1,4 @@
-//! misconception: V − E + F = 2 holds for every closed mesh; it holds for spheres.
+//! misconception: V − E + F = 2 holds for every closed mesh; but it holds for spheres only
 
 /// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
 pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {

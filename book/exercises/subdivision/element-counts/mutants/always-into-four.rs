@@ -1,4 +1,4 @@
-//! misconception: Every face is cut into four, also by the first step of Catmull–Clark subdivision; that is so for quadrilaterals only.
+//! misconception: every face is cut into four, also by the first step of Catmull–Clark subdivision; but that is so for quadrilaterals only
 
 /// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
 pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {

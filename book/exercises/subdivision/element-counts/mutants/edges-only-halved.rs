@@ -1,4 +1,4 @@
-//! misconception: A step cuts every edge into two, so the edges double; the new edges inside the faces are forgotten.
+//! misconception: a step cuts every edge into two, so the edges double; but the new edges inside the faces are forgotten
 
 /// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
 pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {

@@ -1,4 +1,4 @@
-//! misconception: In a closed mesh F = E/2; that holds after the first step of Catmull–Clark subdivision, not before.
+//! misconception: in a closed mesh F = E/2; but that holds after the first step of Catmull–Clark subdivision, not before
 
 /// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
 pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {

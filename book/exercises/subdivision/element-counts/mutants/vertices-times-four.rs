@@ -1,4 +1,4 @@
-//! misconception: Everything is four times as many after a step, the vertices too; that is exact on a torus only.
+//! misconception: everything is four times as many after a step, the vertices too; but that is exact on a torus only
 
 /// [V, E, F] of a closed mesh of triangles after `steps` steps of Loop's scheme.
 pub fn loop_counts(counts: [u64; 3], steps: u32) -> [u64; 3] {

@@ -1,4 +1,4 @@
-//! misconception: What is flat is no sphere; but two triangles with the same corners are one, drawn badly: only the faces count.
+//! misconception: what is flat is no sphere; but two triangles with the same corners are one, drawn badly: only the faces count
 
 /// The faces, each a list of its vertices.
 pub fn counterexample() -> Vec<Vec<u32>> {

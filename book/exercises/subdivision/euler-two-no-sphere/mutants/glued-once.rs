@@ -1,4 +1,4 @@
-//! misconception: Two spheres with one common vertex are no sphere, and that is all; but V − E + F is 2 + 2 − 1 = 3.
+//! misconception: two spheres with one common vertex are no sphere, and that is all; but V − E + F is 2 + 2 − 1 = 3
 
 /// The faces, each a list of its vertices.
 pub fn counterexample() -> Vec<Vec<u32>> {

@@ -1,4 +1,4 @@
-//! misconception: A sphere and a torus together have V − E + F = 2 + 0; but they are not connected.
+//! misconception: a sphere and a torus together have V − E + F = 2 + 0; but they are not connected
 
 /// The faces, each a list of its vertices.
 pub fn counterexample() -> Vec<Vec<u32>> {

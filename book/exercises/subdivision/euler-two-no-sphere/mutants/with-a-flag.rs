@@ -1,4 +1,4 @@
-//! misconception: A sphere and a triangle at one of its vertices have 2 + 1 − 1 = 2; but the edges of the triangle have one face only.
+//! misconception: a sphere and a triangle at one of its vertices have 2 + 1 − 1 = 2; but the edges of the triangle have one face only
 
 /// The faces, each a list of its vertices.
 pub fn counterexample() -> Vec<Vec<u32>> {

@@ -1,4 +1,4 @@
-//! misconception: Faces and edges follow from next and flip, so their tables need no claim; but they are stored, and may be wrong.
+//! misconception: faces and edges follow from next and flip, so their tables need no claim; but they are stored, and may be wrong
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

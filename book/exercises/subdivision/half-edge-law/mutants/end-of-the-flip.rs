@@ -1,4 +1,4 @@
-//! misconception: The flip starts where h starts; it starts where h ends.
+//! misconception: the flip starts where h starts; but it starts where h ends
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

@@ -1,4 +1,4 @@
-//! misconception: Half-edges without face are there for convenience, and nobody looks at their prev and next.
+//! misconception: half-edges without face are there for convenience, and nobody looks at their prev and next
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

@@ -1,4 +1,4 @@
-//! misconception: Vertices are names only, and the links among half-edges say everything; but flip and next must lead to the same end.
+//! misconception: vertices are names only, and the links among half-edges say everything; but flip and next must lead to the same end
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

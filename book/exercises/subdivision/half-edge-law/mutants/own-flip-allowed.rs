@@ -1,4 +1,4 @@
-//! misconception: flip(flip(h)) = h says everything about flip; it also holds for a half-edge that is its own flip.
+//! misconception: flip(flip(h)) = h says everything about flip; but it also holds for a half-edge that is its own flip
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

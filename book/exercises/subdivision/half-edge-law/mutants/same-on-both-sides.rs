@@ -1,4 +1,4 @@
-//! misconception: Both sides of an equation may say the same, as long as they are about flip; but a thing is always equal to itself.
+//! misconception: both sides of an equation may say the same, as long as they are about flip; but a thing is always equal to itself
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};

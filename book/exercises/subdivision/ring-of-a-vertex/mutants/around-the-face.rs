@@ -1,4 +1,4 @@
-//! misconception: next runs around the vertex; it runs around the face.
+//! misconception: next runs around the vertex; but it runs around the face
 
 use cagd::subdivision::HalfEdgeTables;
 

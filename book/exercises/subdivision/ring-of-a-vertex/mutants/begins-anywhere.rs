@@ -1,4 +1,4 @@
-//! misconception: The neighbours are a cycle at every vertex; at the boundary the cycle has a gap, and the list must not run across it.
+//! misconception: the neighbours are a cycle at every vertex; at the boundary the cycle has a gap, and the list must not run across it
 
 use cagd::subdivision::HalfEdgeTables;
 

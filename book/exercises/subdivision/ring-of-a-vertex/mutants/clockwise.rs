@@ -1,4 +1,4 @@
-//! misconception: next(flip(h)) is the counterclockwise neighbour of h; it is the clockwise one.
+//! misconception: next(flip(h)) is the counterclockwise neighbour of h; but it is the clockwise one
 
 use cagd::subdivision::HalfEdgeTables;
 

@@ -1,4 +1,4 @@
-//! misconception: At the boundary the walk is over; the neighbours on the other side of h are forgotten.
+//! misconception: at the boundary the walk is over; but the neighbours on the other side of h are forgotten
 
 use cagd::subdivision::HalfEdgeTables;
 

@@ -1,4 +1,4 @@
-//! misconception: The half-edge without face comes first; counterclockwise the faces begin behind it, so it is the last.
+//! misconception: the half-edge without face comes first; counterclockwise the faces begin behind it, so it is the last
 
 use cagd::subdivision::HalfEdgeTables;
 
