@@ -5,14 +5,14 @@ use cagd::scalar::Scalar;
 /// The point beyond a vertex, on the edge to `neighbours[0]`; one coordinate of it.
 pub fn virtual_point<T: Scalar>(neighbours: &[T], opposite: &[T]) -> T {
     let n = neighbours.len();
-    let near = |points: &[T], numbers: &[usize]| {
-        let sum = |sum: T, &j: &usize| sum + points[(2 * n + j - 2) % n].clone();
-        numbers.iter().fold(T::zero(), sum)
+    // The sum of `count` points, of which the first is `back` places before that with the number 0.
+    let near = |points: &[T], back: usize, count: usize| {
+        (0..count).fold(T::zero(), |sum, j| sum + points[(n - back + j) % n].clone())
     };
     let all = |points: &[T]| points.iter().fold(T::zero(), |sum, p| sum + p.clone());
     let share = T::from_ratio(4, n as i64);
     let ninth = T::from_ratio(1, 9);
-    let of_neighbours = share.clone() * all(neighbours) - near(neighbours, &[1, 2, 3]);
+    let of_neighbours = share.clone() * all(neighbours) - near(neighbours, 1, 3);
     let _ = (ninth, opposite);
     of_neighbours
 }
