@@ -12,7 +12,8 @@
 //! - [`lattice_mask`], [`mod@box_spline`] — schemes on regular triangle meshes, and the limit of Loop's,
 //! - [`mod@catmull_clark`], [`mod@doo_sabin`], [`mod@kobbelt`] — schemes for quadrilaterals; [`creases`] — sharp edges,
 //! - [`fan`], [`subdivision_matrix`], [`spectrum`], [`characteristic_map`] — what happens around an extraordinary point,
-//! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes;
+//! - [`Refiner`], [`StencilCascade`] — the same schemes for large meshes,
+//! - [`files`] — meshes from texts and to texts;
 //!
 //! the theorems are in [`laws`].
 
@@ -50,7 +51,7 @@ pub mod laws;
 
 pub use mesh::{
     EdgeId, FaceId, HalfEdgeId, HalfEdgeMesh, HalfEdgeTables, Mesh, MeshError, Refinement,
-    VertexId, VertexRing, solids,
+    VertexId, VertexRing, files, solids,
 };
 pub use refiner::{FastScheme, Refiner};
 pub use scheme::{SchemeError, SurfaceScheme};

@@ -13,6 +13,7 @@
 //! | [`scaffold`] | what `new` writes |
 //! | [`grade`] | a folder of submissions is checked |
 //! | [`live_figures`] | the figures as wasm, for a site without a server |
+//! | [`mesh_files`] | meshes in the formats OBJ, OFF and PLY |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
@@ -32,6 +33,7 @@ pub mod feedback;
 pub mod grade;
 pub mod house;
 pub mod live_figures;
+pub mod mesh_files;
 #[cfg(unix)]
 pub mod practice;
 #[cfg(unix)]

@@ -125,7 +125,7 @@ fn corners<F: AsRef<[u32]>>(
         uniform &= face.as_ref().len() == degree;
     }
     // With a boundary there are at most as many half-edges again.
-    let half_edges = 2 * (count as u64).max(vertex_count as u64);
+    let half_edges = (count as u64).max(vertex_count as u64).saturating_mul(2);
     if half_edges > u64::from(u32::MAX) {
         return Err(MeshError::TooLarge { half_edges });
     }

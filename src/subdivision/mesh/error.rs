@@ -150,6 +150,26 @@ pub enum MeshError {
     },
 }
 
+impl MeshError {
+    /// The vertices and the faces that the message names.
+    pub(super) fn elements_mut(&mut self) -> (Vec<&mut VertexId>, Vec<FaceId>) {
+        match self {
+            Self::Empty | Self::PointCount { .. } | Self::TooLarge { .. } => (vec![], vec![]),
+            Self::FaceTooSmall { face, .. }
+            | Self::DanglingIndex { face, .. }
+            | Self::FaceDegree { face, .. } => (vec![], vec![*face]),
+            Self::RepeatedVertex { face, vertex } => (vec![vertex], vec![*face]),
+            Self::UnusedVertex { vertex }
+            | Self::NonManifoldVertex { vertex, .. }
+            | Self::NotFinite { vertex, .. } => (vec![vertex], vec![]),
+            Self::NonManifoldEdge { start, end, faces } => (vec![start, end], faces.to_vec()),
+            Self::InconsistentOrientation { start, end, faces } => {
+                (vec![start, end], faces.to_vec())
+            }
+        }
+    }
+}
+
 fn list(faces: &[FaceId]) -> String {
     let names: Vec<String> = faces.iter().map(ToString::to_string).collect();
     names.join(", ")

@@ -3,6 +3,7 @@
 mod connectivity;
 mod construction;
 mod error;
+pub mod files;
 mod geometry;
 mod id;
 mod refinement;

@@ -50,6 +50,50 @@ impl Refinement {
     }
 }
 
+impl Refinement {
+    /// The numbers of vertices, edges and faces after some steps, by formulas alone: nothing is refined.
+    ///
+    /// They are the true numbers, except for [`CutCorners`](Self::CutCorners) on a mesh with boundary, where they are upper bounds.
+    /// Numbers beyond 128 bits stay at the largest one.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cagd::subdivision::{Refinement, solids};
+    ///
+    /// let cube = solids::cube::<f64>();
+    /// assert_eq!(Refinement::Quadrilaterals.counts_after(cube.connectivity(), 2), [98, 192, 96]);
+    /// let [_, _, faces] = Refinement::Triangles.counts_after(solids::octahedron::<f64>().connectivity(), 20);
+    /// assert_eq!(faces, 8 << 40);
+    /// ```
+    ///
+    /// # Arguments
+    ///
+    /// `mesh`: one that the refinement splits; for others the numbers mean nothing. `steps`: any number.
+    #[must_use]
+    pub fn counts_after(self, mesh: &HalfEdgeMesh, steps: u32) -> [u128; 3] {
+        let [mut vertices, mut edges, mut faces] =
+            [mesh.vertex_count(), mesh.edge_count(), mesh.face_count()].map(|count| count as u128);
+        let mut corners = mesh.corner_count() as u128;
+        // Every step doubles the faces at least, so after 128 steps their number is beyond 128 bits.
+        for _ in 0..steps.min(128) {
+            let all = vertices.saturating_add(edges).saturating_add(faces);
+            let twice = edges.saturating_mul(2);
+            [vertices, edges, faces] = match self {
+                Self::Triangles => [
+                    vertices.saturating_add(edges),
+                    twice.saturating_add(faces.saturating_mul(3)),
+                    faces.saturating_mul(4),
+                ],
+                Self::Quadrilaterals => [all, twice.saturating_add(corners), corners],
+                Self::CutCorners => [twice, twice.saturating_mul(2), all],
+            };
+            corners = faces.saturating_mul(4);
+        }
+        [vertices, edges, faces]
+    }
+}
+
 impl HalfEdgeMesh {
     /// Cuts off corners and edges; the numbers are those of Doo and Sabin's scheme.
     ///

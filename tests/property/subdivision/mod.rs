@@ -10,6 +10,7 @@ mod kobbelt;
 mod limit_points;
 mod loop_scheme;
 mod masks;
+mod mesh_files;
 mod meshes;
 mod polygons;
 mod refiner;
