@@ -100,6 +100,9 @@ enum Command {
     /// Name what to do next
     #[cfg(unix)]
     Next(commands::next::Next),
+    /// Refine a mesh of your own: reads and writes OBJ, OFF and PLY
+    #[cfg(unix)]
+    Subdivide(commands::subdivide::Subdivide),
     /// Speak mdBook's preprocessor protocol; `mdbook` calls this
     #[command(hide = true)]
     Preprocessor {
@@ -152,6 +155,9 @@ pub(crate) enum Failure {
     #[cfg(unix)]
     #[error(transparent)]
     Command(#[from] practice::PracticeError),
+    #[cfg(unix)]
+    #[error(transparent)]
+    Subdivide(#[from] commands::subdivide::SubdivideError),
     #[error(transparent)]
     LiveFigures(#[from] LiveFiguresError),
     #[error("{0}")]
@@ -177,6 +183,8 @@ impl Failure {
             Self::Output(error) => error,
             #[cfg(unix)]
             Self::Command(practice::PracticeError::Output(error)) => error,
+            #[cfg(unix)]
+            Self::Subdivide(commands::subdivide::SubdivideError::Answer(error)) => error,
             _ => return false,
         };
         error.kind() == std::io::ErrorKind::BrokenPipe
@@ -261,6 +269,8 @@ fn execute(line: CommandLine) -> Result<Outcome, Failure> {
         Some(Command::Progress(progress)) => Ok(progress.run()?),
         #[cfg(unix)]
         Some(Command::Next(next)) => Ok(next.run()?),
+        #[cfg(unix)]
+        Some(Command::Subdivide(subdivide)) => Ok(subdivide.run()?),
         Some(Command::Preprocessor { question }) => preprocessor(question),
         #[cfg(unix)]
         Some(Command::Supervise(order)) => {

@@ -102,7 +102,7 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    fn of(mut command: Command) -> Self {
+    pub(crate) fn of(mut command: Command) -> Self {
         let Output {
             status,
             stdout,

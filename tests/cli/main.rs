@@ -2,6 +2,8 @@
 
 mod house;
 mod serving;
+#[cfg(unix)]
+mod subdivide;
 
 use std::fs;
 use std::net::TcpListener;

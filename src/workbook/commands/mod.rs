@@ -14,6 +14,7 @@
 //! | `verify` | proves exercises sound |
 //! | `new` | scaffolds an exercise |
 //! | `grade` | checks what students hand in |
+//! | `subdivide` | refines a mesh from a file |
 
 #[cfg(unix)]
 pub mod check;
@@ -41,6 +42,8 @@ pub mod reset;
 pub mod solution;
 #[cfg(unix)]
 pub mod start;
+#[cfg(unix)]
+pub mod subdivide;
 #[cfg(unix)]
 pub mod verify;
 #[cfg(unix)]
