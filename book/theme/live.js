@@ -166,6 +166,9 @@
         async begin(answer) {
             this.answer = answer;
             this.picture = element('div', { className: 'live-picture' });
+            // The picture has the size that it is told, not that of its content; until the first answer, that of the book.
+            const { width, height } = this.svg.viewBox.baseVal;
+            this.picture.style.aspectRatio = width + ' / ' + height;
             this.svg.replaceWith(this.picture);
             this.picture.append(this.svg);
             this.panel = element('div', { className: 'live-controls' });
