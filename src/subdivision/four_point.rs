@@ -107,9 +107,8 @@ pub fn four_point_rule<P: Affine>(points: [&P; 4], tension: P::Scalar) -> P {
     let inner = P::Scalar::from_ratio(1, 2) + tension.clone();
     let weights = [-tension.clone(), inner.clone(), inner, -tension];
     P::from_fn(|k| {
-        let [a, b, c, d] =
-            [0, 1, 2, 3].map(|i| weights[i].clone() * points[i].coordinates()[k].clone());
-        a + b + c + d
+        let term = |i: usize| weights[i].clone() * points[i].coordinates()[k].clone();
+        term(0) + term(1) + term(2) + term(3)
     })
 }
 

@@ -1,18 +1,21 @@
 //! Numbers of the analysis of the four-point scheme.
 
 use super::Computed;
+use crate::affine::Point;
 use crate::book::tex;
-use crate::scalar::{BigRational, OrderedScalar, Scalar};
+use crate::scalar::{BigRational, OrderedScalar, Real, Scalar};
 use crate::subdivision::{
-    LaurentPolynomial, Mask, critical_tension, four_point_differences, norm_between,
+    ControlPolygon, LaurentPolynomial, Mask, critical_tension, four_point_differences, norm_between,
 };
 
 pub(super) const ALL: &[Computed] = &[
     ("four_point_norms", four_point_norms),
     ("tension_norms", tension_norms),
     ("tension_interval_bound", tension_interval_bound),
+    ("two_step_tension", two_step_tension),
     ("critical_tension", critical_tension_digits),
     ("second_differences", second_differences),
+    ("distances_from_the_centre", distances_from_the_centre),
 ];
 
 fn ratio(p: i64, q: i64) -> BigRational {
@@ -68,7 +71,7 @@ fn tension_norms() -> String {
         ("$w = 9/50$", scheme(9, 50)),
         ("$w = 1/4$", scheme(1, 4)),
     ];
-    rows(&schemes, 8, |norm| tex::decimal(norm, 6))
+    rows(&schemes, 8, |norm| tex::decimal(norm, 4))
 }
 
 /// A bound for the norms of eight steps for all w from 3/20 to 9/50 at once.
@@ -78,6 +81,11 @@ fn tension_interval_bound() -> String {
         (Ok(low), Ok(high)) => tex::decimal(&norm_between(&low, &high, 8), 6),
         _ => String::new(),
     }
+}
+
+/// The first digits of the tension where the norm of two steps is 1.
+fn two_step_tension() -> String {
+    format!("{:.4}", (Real::sqrt(5.0_f64) - 1.0) / 8.0)
 }
 
 /// The digits of w* that both ends of an exact interval share.
@@ -107,6 +115,50 @@ fn second_differences() -> String {
             tex::fraction(&scaled)
         );
         data = mask.apply(&data);
+    }
+    table
+}
+
+/// Where two schemes leave the circle through the corners of a closed square.
+fn distances_from_the_centre() -> String {
+    let square = [[1, 0], [0, 1], [-1, 0], [0, -1]]
+        .map(|corner| Point::new(corner.map(<BigRational as Scalar>::from_integer)));
+    let Ok(polygon) = ControlPolygon::closed(square) else {
+        return String::new();
+    };
+    let vertex = |refined: ControlPolygon<Point<BigRational, 2>>, index: usize| {
+        refined.vertices()[index].clone()
+    };
+    let places = [
+        (
+            "four-point: the first new vertex, which stays",
+            polygon
+                .four_point(ratio(1, 16))
+                .map(|refined| vertex(refined, 1)),
+        ),
+        (
+            "Chaikin: a vertex after one step",
+            polygon.chaikin().map(|refined| vertex(refined, 0)),
+        ),
+        (
+            "Chaikin: a point of the limit",
+            polygon.lane_riesenfeld(1).map(|middles| vertex(middles, 1)),
+        ),
+    ];
+    let mut table = String::from("| place | point | distance from the centre |\n|---|---|--:|\n");
+    for (place, point) in places {
+        let Ok(point) = point else { continue };
+        let distance = Real::sqrt(
+            point
+                .coordinates()
+                .iter()
+                .map(|x| x.to_f64() * x.to_f64())
+                .sum::<f64>(),
+        );
+        table += &format!(
+            "| {place} | ${}$ | {distance:.4} |\n",
+            tex::point(&point, tex::fraction)
+        );
     }
     table
 }

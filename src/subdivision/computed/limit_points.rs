@@ -16,18 +16,15 @@ fn limit_stencils() -> String {
             let name = match degree {
                 2 => "Chaikin".to_string(),
                 3 => "cubic".to_string(),
-                _ => format!("degree {degree}"),
+                _ => format!("degree\u{a0}{degree}"),
             };
             (name, Some(Mask::lane_riesenfeld(degree)))
         })
-        .chain([("four-point".to_string(), four_point)]);
+        .chain([("four\u{2011}point".to_string(), four_point)]);
     for (name, mask) in schemes {
         let Some(mask) = mask else { continue };
         let doubled_middle = mask.support().start + mask.support().end - 1;
-        for (place, numerator) in [
-            ("a vertex", doubled_middle),
-            ("the middle of a leg", doubled_middle + 1),
-        ] {
+        for (place, numerator) in [("vertex", doubled_middle), ("leg", doubled_middle + 1)] {
             let stencil = |order: usize| match mask.limit_stencil_at(order, numerator, 1) {
                 Ok(stencil) => format!("${}$", weights(&stencil)),
                 Err(_) => "none".to_string(),
