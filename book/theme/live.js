@@ -109,6 +109,13 @@
         return made;
     };
 
+    /** The drawing that a text describes. */
+    const parsed = text => {
+        const made = document.createElement('template');
+        made.innerHTML = text;
+        return made.content.querySelector('svg');
+    };
+
     /**
      * Makes a drawing look like another one and returns it. What is the same stays, so that the browser need not lay
      * it out again: most of a picture does not change from one step of a drag to the next.
@@ -150,15 +157,21 @@
         }
     };
 
+    /** How many claims of laws stand beside a figure; the others unfold. */
+    const MOST_CLAIMS = 6;
+
     class Live {
         constructor(figure) {
             this.figure = figure;
             this.id = figure.dataset.figure;
             this.svg = figure.querySelector('svg');
-            this.first = { svg: this.svg, values: '' };
+            /** The lines of the picture that is shown, and the element of each. */
+            this.lines = [];
+            this.elements = [];
             this.values = new URLSearchParams(location.search).get(this.id) ?? '';
             this.handles = new Map();
             this.controls = new Map();
+            this.complaint = '';
             this.asking = false;
             this.waiting = null;
         }
@@ -172,7 +185,10 @@
             this.svg.replaceWith(this.picture);
             this.picture.append(this.svg);
             this.panel = element('div', { className: 'live-controls' });
-            this.laws = element('div', { className: 'live-laws', hidden: true });
+            this.laws = element('div', { className: 'live-laws-list' });
+            // Of a fixed height, so that new numbers do not lay out the page anew; the list says which height.
+            this.lawsBox = element('div', { className: 'live-laws', hidden: true }, this.laws);
+            new ResizeObserver(() => { this.lawsBox.style.height = this.laws.offsetHeight + 'px'; }).observe(this.laws);
             this.remarks = element('p', { className: 'live-remark', hidden: true });
             // Read out when it appears, not at every step of a drag.
             this.remarks.setAttribute('role', 'status');
@@ -187,7 +203,7 @@
                 button('Reset', 'As the book shows it', () => this.reset()),
                 button('Link', 'Copy a link that shows exactly this', event => this.link(event.target)),
                 button('SVG', 'Save the picture', () => this.save()));
-            this.picture.after(this.panel, this.tools, this.remarks, this.laws);
+            this.picture.after(this.panel, this.tools, this.remarks, this.lawsBox);
             this.figure.classList.add('live');
             await this.draw('');
         }
@@ -222,9 +238,37 @@
                 return;
             }
             this.complain('');
-            const made = document.createElement('template');
-            made.innerHTML = facts.svg;
-            const svg = made.content.querySelector('svg');
+            this.showPicture(facts.svg);
+            if (this.size?.join() !== facts.size.join()) {
+                this.size = facts.size.map(Number);
+                this.picture.style.aspectRatio = facts.size.join(' / ');
+            }
+            facts.handle.forEach(fields => this.placeHandle(fields));
+            facts.slider.forEach(fields => this.placeControl(fields, 'any'));
+            facts.stepper.forEach(fields => this.placeControl(fields, 1));
+            this.showLaws(facts.law);
+            this.showRemarks(facts.remark);
+        }
+
+        /** Shows a picture. It has one element a line: only the lines that changed are read again. */
+        showPicture(text) {
+            const lines = text.trimEnd().split('\n');
+            const alike = lines.length === this.lines.length && lines[0] === this.lines[0];
+            const changed = alike ? lines.flatMap((line, i) => line === this.lines[i] ? [] : [i]) : [];
+            // A line outside of the elements, or the style sheet, which is not among them.
+            if (!alike || changed.some(i => !this.elements[i])) {
+                this.showAll(text, lines);
+            } else if (changed.length > 0) {
+                const fresh = [...parsed('<svg>' + changed.map(i => lines[i]).join('') + '</svg>').children];
+                changed.forEach((i, k) => { this.elements[i] = become(this.elements[i], fresh[k]); });
+            }
+            this.lines = lines;
+        }
+
+        /** Shows a picture of which nothing is known. */
+        showAll(text, lines) {
+            const svg = parsed(text);
+            const elements = [...svg.children];
             // A style sheet that comes and goes makes the browser look at the whole page again; one stays.
             const style = svg.querySelector('style');
             if (style) {
@@ -233,22 +277,19 @@
                     style.remove();
                 }
             }
-            this.svg = become(this.svg, svg);
-            this.size = facts.size.map(Number);
-            this.picture.style.aspectRatio = facts.size.join(' / ');
-            facts.handle.forEach(fields => this.placeHandle(fields));
-            facts.slider.forEach(fields => this.placeControl(fields, 'any'));
-            facts.stepper.forEach(fields => this.placeControl(fields, 1));
-            this.showLaws(facts.law);
-            this.showRemarks(facts.remark);
+            this.svg.replaceWith(svg);
+            this.svg = svg;
+            // Between the lines that begin and end the picture each is an element, or nothing is known of any.
+            const known = elements.length === lines.length - 2;
+            this.elements = known ? [null, ...elements.map(e => e === style ? null : e), null] : [];
         }
 
         complain(message) {
-            this.figure.classList.toggle('live-wrong', message !== '');
-            if (message !== '' || this.say.dataset.wrong) {
+            if (message !== this.complaint) {
+                this.complaint = message;
+                this.figure.classList.toggle('live-wrong', message !== '');
                 this.say.textContent = message;
             }
-            this.say.dataset.wrong = message === '' ? '' : 'yes';
         }
 
         placeHandle([name, index, x, y, words]) {
@@ -261,12 +302,18 @@
                 this.handles.set(key, handle);
                 this.picture.append(handle);
             }
-            handle.at = [Number(x), Number(y)];
-            handle.words = words;
-            handle.setAttribute('aria-label', words + ', move it with the arrow keys');
-            handle.title = words;
-            handle.style.left = 100 * handle.at[0] / this.size[0] + '%';
-            handle.style.top = 100 * handle.at[1] / this.size[1] + '%';
+            const place = x + ' ' + y + ' ' + this.size;
+            if (handle.place !== place) {
+                handle.place = place;
+                handle.at = [Number(x), Number(y)];
+                // In hundredths of the width of the picture: what is translated need not be laid out anew.
+                handle.style.translate = handle.at.map(c => 100 * c / this.size[0] + 'cqw').join(' ');
+            }
+            if (handle.words !== words) {
+                handle.words = words;
+                handle.setAttribute('aria-label', words + ', move it with the arrow keys');
+                handle.title = words;
+            }
             if (handle.moving || document.activeElement === handle) {
                 this.say.textContent = words;
             }
@@ -329,14 +376,17 @@
                 }
                 this.controls.set(name, control);
             }
-            control.shown.textContent = words;
-            control.input.setAttribute('aria-valuetext', words);
-            if (document.activeElement !== control.input || control.input.value === '') {
-                control.input.value = value;
+            if (control.words !== words) {
+                control.words = words;
+                control.shown.textContent = words;
+                control.input.setAttribute('aria-valuetext', words);
             }
-            if (control.input.playing) {
-                control.input.value = value;
+            const { input } = control;
+            const follows = document.activeElement !== input || input.value === '' || input.playing;
+            if (follows && control.at !== value) {
+                input.value = value;
             }
+            control.at = value;
         }
 
         /** A button that moves a slider from one end to the other. */
@@ -390,13 +440,14 @@
             if (shape !== this.shape) {
                 this.shape = shape;
                 this.rows = [];
-                const parts = [];
+                const [parts, rest] = [[], []];
                 let last = null;
                 for (const [statement, claim, , sign] of laws) {
+                    const place = this.rows.length < MOST_CLAIMS ? parts : rest;
                     if (statement !== last) {
                         last = statement;
                         const name = this.figure.querySelector('[data-law="' + CSS.escape(statement) + '"]');
-                        parts.push(element('p', { className: 'live-law' }, name ? name.firstChild.cloneNode(true) : statement));
+                        place.push(element('p', { className: 'live-law' }, name ? name.firstChild.cloneNode(true) : statement));
                     }
                     const [left, right] = ['live-left', 'live-right'].map(className => element('span', { className }));
                     const agreement = element('span', { className: 'live-agreement' });
@@ -404,11 +455,17 @@
                         element('span', { className: 'live-words', textContent: claim }),
                         element('span', { className: 'live-sides' }, left, ' ' + sign + ' ', right),
                         agreement);
+                    place.push(row);
                     this.rows.push({ row, left, right, agreement });
-                    parts.push(row);
+                }
+                this.more = null;
+                if (rest.length > 0) {
+                    this.more = element('summary');
+                    const open = this.laws.querySelector('details')?.open ?? false;
+                    parts.push(element('details', { className: 'live-more', open }, this.more, ...rest));
                 }
                 this.laws.replaceChildren(...parts);
-                this.laws.hidden = laws.length === 0;
+                this.lawsBox.hidden = laws.length === 0;
             }
             laws.forEach(([, , left, , right, agreement, holds], i) => {
                 const shown = this.rows[i];
@@ -417,6 +474,11 @@
                 write(shown.agreement, (holds === 'holds' ? '✓ holds ' : '✗ fails ') + agreement);
                 shown.row.classList.toggle('fails', holds !== 'holds');
             });
+            if (this.more) {
+                const rest = laws.slice(MOST_CLAIMS);
+                const failing = rest.filter(law => law[6] !== 'holds').length;
+                write(this.more, rest.length + ' more claims: ' + (failing === 0 ? 'all hold' : failing + ' fail'));
+            }
         }
 
         /** What is special about this position. */
@@ -427,9 +489,9 @@
 
         reset() {
             this.values = '';
-            for (const { input } of this.controls.values()) {
-                input.playing = false;
-                input.value = '';
+            for (const control of this.controls.values()) {
+                control.input.playing = false;
+                control.at = null;
             }
             this.draw('');
         }

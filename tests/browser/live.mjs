@@ -1,11 +1,13 @@
-// Live figures in a real browser: moved by mouse, finger and keys, from the server as well as from disk; the wasm
-// build answers with the same bytes as the native one; a drag keeps up with the screen.
+// Live figures in a real browser: moved by mouse, finger and keys, played, turned and saved, from the server as well as
+// from disk; the wasm build answers with the same bytes as the native one; a drag keeps up with the screen.
 //
 //     node live.mjs CHROMIUM WORKBOOK SITE
 
 import { spawn } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
 import { createInterface } from "node:readline";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -59,8 +61,8 @@ async function moved(handle, before) {
     return before;
 }
 
-async function everyWay(context, url, label) {
-    const page = await context.newPage();
+/** What the browser complains of in a page, and requests to elsewhere than `url`; it grows while the page is used. */
+function complaints(page, url) {
     const wrong = [];
     page.on("console", message => ["error", "warning"].includes(message.type()) && wrong.push(message.text()));
     page.on("pageerror", error => wrong.push(error.message));
@@ -71,6 +73,25 @@ async function everyWay(context, url, label) {
             wrong.push(`asks for ${target}`);
         }
     });
+    return wrong;
+}
+
+/** Drags from the middle of an element by the mouse. */
+async function drag(page, element, [dx, dy]) {
+    await element.scrollIntoViewIfNeeded();
+    const box = await element.boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 5 });
+    await page.mouse.up();
+    // The last position is drawn after those on the way.
+    await page.waitForTimeout(200);
+}
+
+async function everyWay(context, url, label) {
+    const page = await context.newPage();
+    const wrong = complaints(page, url);
     await page.goto(url);
     const figure = await alive(page);
     const handle = figure.locator(".live-handle").nth(4);
@@ -79,11 +100,7 @@ async function everyWay(context, url, label) {
 
     const box = await handle.boundingBox();
     check(box.width >= 44 && box.height >= 44, `${label}: a handle is large enough for a thumb`);
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x + 30, y + 20, { steps: 5 });
-    await page.mouse.up();
+    await drag(page, handle, [30, 20]);
     const byMouse = await moved(handle, before);
     check(byMouse !== before, `${label}: the mouse moves a handle (${before} → ${byMouse})`);
     check(await figure.locator("svg").innerHTML() !== still, `${label}: the picture is another one`);
@@ -129,13 +146,8 @@ async function laws(context, url, label) {
         `${label}: a law is named by a link to its statement`);
     const before = await readout.locator(".live-right").first().textContent();
     const handle = figure.locator(".live-handle").nth(4);
-    await handle.scrollIntoViewIfNeeded();
     const name = await words(handle);
-    const box = await handle.boundingBox();
-    await page.mouse.move(box.x + 22, box.y + 22);
-    await page.mouse.down();
-    await page.mouse.move(box.x + 2, box.y + 2, { steps: 4 });
-    await page.mouse.up();
+    await drag(page, handle, [-20, -20]);
     await moved(handle, name);
     await page.waitForTimeout(200);
     const after = await readout.locator(".live-right").first().textContent();
@@ -151,6 +163,120 @@ async function laws(context, url, label) {
     await page.keyboard.press("Home");
     await range.locator(".live-remark", { hasText: "negative" }).waitFor();
     check(true, `${label}: a parameter outside the interval says what the interval is for`);
+    await page.close();
+}
+
+/** The play button moves the slider until it is pressed again. */
+async function plays(context, url, label) {
+    const page = await context.newPage();
+    await page.goto(url);
+    const figure = await alive(page);
+    const value = figure.locator(".live-value").first();
+    const button = figure.locator(".live-play").first();
+    const seen = new Set([await value.textContent()]);
+    const drawn = new Set([await figure.locator("svg").innerHTML()]);
+    await button.click();
+    for (let i = 0; i < 100 && (seen.size < 4 || drawn.size < 4); i++) {
+        await page.waitForTimeout(50);
+        seen.add(await value.textContent());
+        drawn.add(await figure.locator("svg").innerHTML());
+    }
+    check(seen.size >= 4 && drawn.size >= 4, `${label}: play moves the slider and the picture (${[...seen].join(", ")})`);
+    await button.click();
+    await page.waitForTimeout(300);
+    const paused = await value.textContent();
+    await page.waitForTimeout(300);
+    check(await value.textContent() === paused, `${label}: pressed again, it stands still (${paused})`);
+    await page.close();
+}
+
+/** The picture that is saved is the one that is shown, and a browser opens it by itself. */
+async function saves(context, url, label) {
+    const page = await context.newPage();
+    await page.goto(url);
+    const figure = await alive(page);
+    const handle = figure.locator(".live-handle").nth(4);
+    const before = await words(handle);
+    await drag(page, handle, [25, 15]);
+    await moved(handle, before);
+    const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        figure.getByRole("button", { name: "SVG" }).click(),
+    ]);
+    const file = join(await mkdtemp(join(tmpdir(), "figure-")), download.suggestedFilename());
+    await download.saveAs(file);
+    // The style sheet of the shown picture stands beside it.
+    const elements = svg => [...svg.children].filter(e => e.localName !== "style")
+        .map(e => [e.localName, ...[...e.attributes].map(a => `${a.name}=${a.value}`).sort(), e.textContent].join("|"));
+    const shown = await figure.locator("svg").evaluate(elements);
+    const alone = await context.newPage();
+    await alone.goto(pathToFileURL(file).href);
+    const root = alone.locator("svg");
+    const saved = await root.evaluate(elements);
+    check(file.endsWith(`${FIGURE}.svg`) && saved.length > 20 && saved.join("\n") === shown.join("\n"),
+        `${label}: the saved picture is the shown one (${saved.length} elements)`);
+    const color = await alone.locator("path.curve").first().evaluate(e => getComputedStyle(e).stroke);
+    check(await root.isVisible() && color !== "none", `${label}: it opens by itself, with its colours (${color})`);
+    await alone.close();
+    await page.close();
+    await rm(dirname(file), { recursive: true });
+}
+
+/** A surface is turned by its handle, and refined by its slider. */
+async function surface(context, url, label) {
+    const page = await context.newPage();
+    await page.goto(url);
+    const figure = await alive(page, "subdivision-loop-limit");
+    const faces = () => figure.locator("svg path").evaluateAll(all => all.map(e => e.getAttribute("d")).join(""));
+    const handle = figure.locator(".live-handle");
+    const [before, first] = [await faces(), await words(handle)];
+    await drag(page, handle, [60, 0]);
+    const second = await moved(handle, first);
+    const turned = await faces();
+    check(turned !== before && second !== first, `${label}: dragged sideways, a surface turns (${first} → ${second})`);
+    await drag(page, handle, [0, -40]);
+    const third = await moved(handle, second);
+    const tilted = await faces();
+    check(tilted !== turned && third !== second, `${label}: dragged upwards, it is tilted (→ ${third})`);
+    const value = figure.locator(".live-value");
+    await figure.locator("input[type=range]").focus();
+    await page.keyboard.press("Home");
+    await figure.locator(".live-value", { hasText: "= 0" }).waitFor();
+    await page.waitForTimeout(100);
+    const coarse = await faces();
+    await page.keyboard.press("ArrowRight");
+    await figure.locator(".live-value", { hasText: "= 1" }).waitFor();
+    await page.waitForTimeout(100);
+    const fine = await faces();
+    check(fine.length > 1.5 * coarse.length,
+        `${label}: a step more has more faces (${coarse.length} and ${fine.length} letters, ${await value.textContent()})`);
+    await page.close();
+}
+
+/** Every figure of every page comes alive without a complaint. */
+async function everyPage(context, base, label) {
+    const page = await context.newPage();
+    const wrong = complaints(page, base);
+    let [pages, figures] = [0, 0];
+    const failing = [];
+    for (const chapter of ["affine", "bezier", "subdivision"]) {
+        for (const name of readdirSync(join(site, chapter)).filter(name => name.endsWith(".html"))) {
+            await page.goto(new URL(`${chapter}/${name}`, base).href);
+            const live = await page.locator("figure.drawing[data-part]").evaluateAll(
+                all => [...new Set(all.map(figure => figure.dataset.figure))]);
+            for (const id of live) {
+                await page.locator(`figure[data-figure="${id}"]`).first().scrollIntoViewIfNeeded();
+                const drawn = page.locator(`figure.live[data-figure="${id}"]`).locator(".live-handle, .live-control");
+                await drawn.first().waitFor({ state: "attached" });
+            }
+            failing.push(...await page.locator(".live-claim.fails, .live-wrong").evaluateAll(
+                all => all.map(element => `${element.closest("figure").dataset.figure}: ${element.textContent}`)));
+            [pages, figures] = [pages + 1, figures + live.length];
+        }
+    }
+    check(failing.length === 0, `${label}: all live figures draw, and their laws hold ${failing.join("; ")}`);
+    check(wrong.length === 0 && pages > 25 && figures > 60,
+        `${label}: ${figures} live figures on ${pages} pages, no complaint, no outside request ${wrong.join("; ")}`);
     await page.close();
 }
 
@@ -193,7 +319,11 @@ try {
 
     for (const [url, label] of [[served, "server"], [fromDisk, "disk"]]) {
         await laws(context, url, label);
+        await plays(context, url, label);
+        await surface(context, new URL("../subdivision/loop.html", url).href, label);
+        await everyPage(context, new URL("../", url).href, label);
     }
+    await saves(context, fromDisk, "disk");
     await darkAndPrinted();
 
     // ---- By finger, on a narrow screen ----
@@ -213,6 +343,23 @@ try {
     }
     await touch("touchEnd");
     check(await moved(handle, before) !== before, "phone: a finger moves a handle");
+    // One finger drags a point onto the other, where the line through both is none.
+    await page.goto(pathToFileURL(resolve(site, "affine/barycentric.html")).href);
+    const line = await alive(page, "affine-barycentric-on-line");
+    const remark = line.locator(".live-remark");
+    check(await remark.isHidden(), "phone: two points make a line");
+    await line.locator(".live-handle").first().scrollIntoViewIfNeeded();
+    const [to, from] = await line.locator(".live-handle").evaluateAll(all => all.slice(0, 2).map(handle => {
+        const box = handle.getBoundingClientRect();
+        return [box.x + box.width / 2, box.y + box.height / 2];
+    }));
+    await touch("touchStart", ...from);
+    for (let i = 1; i <= 8; i++) {
+        await touch("touchMove", ...[0, 1].map(k => from[k] + (to[k] - from[k]) * i / 8));
+    }
+    await touch("touchEnd");
+    await remark.waitFor();
+    check(/A ≠ B/.test(await remark.textContent()), `phone: a degenerate position is explained (${await remark.textContent()})`);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= 360, `phone: nothing sticks out (${wide})`);
     await phone.close();
@@ -285,35 +432,44 @@ try {
             }
             return late;
         };
-        const lateIdle = await lateFrames(1000, () => {});
-        const late = await lateFrames(3000, async () => {
+        const redraw = async () => {
             const start = performance.now();
             const k = draws.length % 100;
             const text = await answer(`${id}\n${values}\nb 1 ${260 + k} ${80 + k / 2}`);
             window.workbookShow(id, text);
             figure.getBoundingClientRect();
             draws.push(performance.now() - start);
-        });
+        };
+        // The bound is for a machine that leaves three quarters of its time to a page: others are late whatever is drawn.
+        const busy = () => {
+            const end = performance.now() + 12;
+            while (performance.now() < end) { /* no drawing */ }
+        };
+        const tries = [];
+        do {
+            const before = await lateFrames(2000, busy);
+            const dragging = await lateFrames(3000, redraw);
+            tries.push({ dragging, busy: before + await lateFrames(2000, busy) });
+        } while (tries.length < 4 && !tries.some(({ busy, dragging }) => busy === 0 && dragging === 0));
         draws.sort((a, b) => a - b);
         return {
             quick: draws[Math.floor(draws.length / 20)],
             median: draws[draws.length >> 1],
             worst: draws[draws.length - 1],
             frames: draws.length,
-            late,
-            lateIdle,
+            tries,
         };
     }, FIGURE);
     // What else the machine does makes a redraw slower and never quicker: the quickest twentieth tells what the page needs.
-    aim(times.quick < 4, `a redraw takes ${times.quick.toFixed(2)} ms where nothing disturbs it (median `
+    const quiet = times.tries.filter(({ busy }) => busy === 0);
+    /** Says whether a time is kept; a machine that is late without any drawing can keep one, but not miss it. */
+    const inTime = (holds, message) => holds || quiet.length > 0 ? check(holds, message)
+        : console.log(`        not judged: ${message}; late in 4 s with 12 ms of other work a frame: `
+            + times.tries.map(({ busy }) => busy).join(", "));
+    inTime(times.quick < 4, `a redraw takes ${times.quick.toFixed(2)} ms where nothing disturbs it (median `
         + `${times.median.toFixed(2)}, worst ${times.worst.toFixed(2)})`);
-    const told = `${times.late} of ${times.frames} frames come late in 3 s of dragging`;
-    if (times.lateIdle === 0) {
-        aim(times.late * 50 <= times.frames, told);
-    } else {
-        // The bound is for a machine that keeps up with the screen when nothing is drawn.
-        console.log(`        not judged: ${told}, ${times.lateIdle} in 1 s without any drawing`);
-    }
+    inTime(times.tries.some(({ dragging }) => dragging === 0),
+        `late frames in 3 s of dragging: ${times.tries.map(({ dragging }) => dragging).join(", ")}`);
 
     // ---- How much a reader loads ----
     for (const part of parts) {
@@ -323,7 +479,7 @@ try {
         const judge = part === "subdivision" ? aim : check;
         judge(packed < 150_000, `the wasm code of ${part} takes ${packed} bytes gzipped`);
     }
-    for (const path of ["bezier/de-casteljau.html", "bezier/shape.html", "bezier/bounds.html", "affine/maps.html"]) {
+    for (const path of ["bezier/de-casteljau.html", "bezier/shape.html", "bezier/bounds.html", "affine/maps.html", "subdivision/four-point.html"]) {
         const fresh = await browser.newContext({ viewport: { width: 1300, height: 900 } });
         const visitor = await fresh.newPage();
         const loaded = new Set();
