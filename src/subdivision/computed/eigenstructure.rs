@@ -13,13 +13,14 @@ pub(super) const ALL: &[Computed] = &[
     ("characteristic_tests", characteristic_tests),
 ];
 
-/// Something that is asked of each scheme of the chapter at one valence.
+/// Something that is asked of each scheme of the chapter at one valence; its smallest matrix has so many rings.
 trait Question {
     fn ask<S>(
         &self,
         scheme: &S,
         net: FanNet,
         valence: usize,
+        rings: usize,
     ) -> Result<String, SubdivisionMatrixError>
     where
         S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>;
@@ -36,15 +37,15 @@ fn table(question: &impl Question, with_eight_points: bool) -> String {
     table += "\n";
     for k in VALENCES {
         let cells = [
-            question.ask(&Loop, FanNet::Triangles, k),
-            question.ask(&Butterfly::MODIFIED, FanNet::Triangles, k),
-            question.ask(&CatmullClark, FanNet::Quadrilaterals, k),
-            question.ask(&DooSabin, FanNet::AroundFace, k),
-            question.ask(&Kobbelt, FanNet::Quadrilaterals, k),
+            question.ask(&Loop, FanNet::Triangles, k, 1),
+            question.ask(&Butterfly::MODIFIED, FanNet::Triangles, k, 2),
+            question.ask(&CatmullClark, FanNet::Quadrilaterals, k, 1),
+            question.ask(&DooSabin, FanNet::AroundFace, k, 2),
+            question.ask(&Kobbelt, FanNet::Quadrilaterals, k, 2),
         ];
-        let mut cells: Vec<_> = cells.into_iter().collect();
+        let mut cells = Vec::from(cells);
         if with_eight_points {
-            cells.push(question.ask(&Butterfly::UNMODIFIED, FanNet::Triangles, k));
+            cells.push(question.ask(&Butterfly::UNMODIFIED, FanNet::Triangles, k, 2));
         }
         let cells: Vec<String> = cells
             .into_iter()
@@ -55,7 +56,7 @@ fn table(question: &impl Question, with_eight_points: bool) -> String {
     table
 }
 
-/// The absolute value of the eigenvalue with this place in the order of size, of two rings.
+/// The absolute value of the eigenvalue with this place in the order of size.
 struct AbsoluteValue {
     place: usize,
 }
@@ -66,11 +67,12 @@ impl Question for AbsoluteValue {
         scheme: &S,
         net: FanNet,
         valence: usize,
+        rings: usize,
     ) -> Result<String, SubdivisionMatrixError>
     where
         S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>,
     {
-        let spectrum = Spectrum::of(&SubdivisionMatrix::extract(scheme, net, valence, 2)?);
+        let spectrum = Spectrum::of(&SubdivisionMatrix::extract(scheme, net, valence, rings)?);
         let value = spectrum.eigenvalues()[self.place].value.norm();
         // Multiple eigenvalues with a Jordan block are found with half of the digits.
         Ok(format!("{value:.3}"))
@@ -96,6 +98,7 @@ impl Question for CharacteristicTest {
         scheme: &S,
         net: FanNet,
         valence: usize,
+        _rings: usize,
     ) -> Result<String, SubdivisionMatrixError>
     where
         S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>,
