@@ -117,6 +117,24 @@
     };
 
     /**
+     * Makes an element, which the line `before` describes, the one of the line `after`, if they differ in nothing but
+     * values of its own attributes; says whether it did. Most lines of a drag are of this kind and need not be parsed.
+     */
+    function rewrite(element, before, after) {
+        const [head, old] = [after, before].map(line => line.slice(0, line.indexOf('>')));
+        const names = text => text.replace(/"[^"]*"/g, '');
+        if (after.slice(head.length) !== before.slice(old.length) || names(head) !== names(old) || head.includes('&')) {
+            return false;
+        }
+        for (const [, name, value] of head.matchAll(/ ([\w-]+)="([^"]*)"/g)) {
+            if (element.getAttribute(name) !== value) {
+                element.setAttribute(name, value);
+            }
+        }
+        return true;
+    }
+
+    /**
      * Makes a drawing look like another one and returns it. What is the same stays, so that the browser need not lay
      * it out again: most of a picture does not change from one step of a drag to the next.
      */
@@ -125,7 +143,8 @@
             return old;
         }
         const [before, after] = [[...old.childNodes], [...fresh.childNodes]];
-        if (old.nodeName !== fresh.nodeName || before.length !== after.length) {
+        const names = node => node.nodeName + (node.getAttributeNames?.() ?? '');
+        if (names(old) !== names(fresh) || before.length !== after.length) {
             old.replaceWith(fresh);
             return fresh;
         }
@@ -139,11 +158,6 @@
             const value = fresh.getAttribute(name);
             if (old.getAttribute(name) !== value) {
                 old.setAttribute(name, value);
-            }
-        }
-        for (const name of old.getAttributeNames()) {
-            if (!fresh.hasAttribute(name)) {
-                old.removeAttribute(name);
             }
         }
         before.forEach((child, i) => become(child, after[i]));
@@ -259,8 +273,9 @@
             if (!alike || changed.some(i => !this.elements[i])) {
                 this.showAll(text, lines);
             } else if (changed.length > 0) {
-                const fresh = [...parsed('<svg>' + changed.map(i => lines[i]).join('') + '</svg>').children];
-                changed.forEach((i, k) => { this.elements[i] = become(this.elements[i], fresh[k]); });
+                const others = changed.filter(i => !rewrite(this.elements[i], this.lines[i], lines[i]));
+                const fresh = [...parsed('<svg>' + others.map(i => lines[i]).join('') + '</svg>').children];
+                others.forEach((i, k) => { this.elements[i] = become(this.elements[i], fresh[k]); });
             }
             this.lines = lines;
         }
