@@ -125,6 +125,24 @@ fn formulas_become_mathml_that_markdown_has_not_touched() {
 }
 
 #[test]
+fn the_signs_that_touch_a_formula_stay_on_its_line() {
+    let page = "# P\n\nSo ($a$), the $b$-th ($c$ and $d$) **$e$.** But $f$ (*g*).\n";
+    let html = Fixture::new(page).page();
+    let math = |letter| format!("<math><mi>{letter}</mi></math>");
+    let bound = |text: String| format!("<span class=\"bound\">{text}</span>");
+    let sentence = format!(
+        "So {} the {}th {} and {} <strong>{}</strong> But {} (<em>g</em>).",
+        bound(format!("({}),", math('a'))),
+        bound(format!("{}-", math('b'))),
+        bound(format!("({}", math('c'))),
+        bound(format!("{})", math('d'))),
+        bound(format!("{}.", math('e'))),
+        math('f'),
+    );
+    assert!(html.contains(&sentence), "{sentence}\n{html}");
+}
+
+#[test]
 fn computed_texts_stand_in_sentences_and_in_formulas() {
     let html = Fixture::new(
         "# P\n\nIt is {{#computed bezier half}}, so $x = {{#computed bezier half}}$.\n",

@@ -1,11 +1,42 @@
 //! Formulas in their place: inline in the sentence, displayed on a line of their own.
 
+use std::ops::Range;
+
 use super::Expansion;
 use crate::book::directive::Action;
 use crate::book::error::Problem;
 use crate::book::page::Formula;
 
+/// What may not begin a line, and so stays on the line of the formula before it.
+const CLOSING: [char; 9] = ['.', ',', ';', ':', '!', '?', ')', '’', '-'];
+
 impl Expansion<'_> {
+    /// What stands in the place of a formula, and of which bytes.
+    ///
+    /// A browser may break the line on both sides of a formula, even before a full stop.
+    /// So the signs that touch a formula in a sentence are bound to it.
+    pub(super) fn formula_in_its_place(
+        &self,
+        formula: &Formula,
+        within: &Range<usize>,
+    ) -> (Range<usize>, String) {
+        let mathml = self.formula(formula);
+        let span = formula.span.clone();
+        if formula.display {
+            return (span, mathml);
+        }
+        let before = &self.page.text[within.start..span.start];
+        let after = &self.page.text[span.end..within.end];
+        let opening = if before.ends_with('(') { "(" } else { "" };
+        let rest = after.trim_start_matches(CLOSING);
+        let closing = &after[..after.len() - rest.len()];
+        if opening.is_empty() && closing.is_empty() {
+            return (span, mathml);
+        }
+        let bound = format!("<span class=\"bound\">{opening}{mathml}{closing}</span>");
+        (span.start - opening.len()..span.end + closing.len(), bound)
+    }
+
     /// The MathML of a formula.
     pub(super) fn formula(&self, formula: &Formula) -> String {
         let latex = self.with_computed(formula);

@@ -63,7 +63,7 @@ impl Expansion<'_> {
         let mut edits = Vec::new();
         // Formulas first: the evidence that the statements wait for is still being looked up.
         for formula in self.page.formulas.iter().filter(|f| inside(&f.span)) {
-            edits.push((formula.span.clone(), self.formula(formula)));
+            edits.push(self.formula_in_its_place(formula, &range));
         }
         for directive in self.page.directives.iter().filter(|d| inside(&d.span)) {
             edits.push((directive.span.clone(), self.directive(directive)));
