@@ -24,15 +24,17 @@ fn star<T: CosineOfTurn>(k: usize) -> Result<Vec<T>, CosineError> {
     }
 }
 
-/// `subdivision-modified-butterfly`: every new point satisfies its rule, on closed meshes.
+/// `subdivision-modified-butterfly`: every new point satisfies its rule.
 ///
 /// `implementation(mesh)` must give the refined mesh, the old vertices first, then one vertex an edge in the order of the edges.
 /// The stencils are collected from the lists of faces, without half-edges, and compared as 16e'.
+/// At the boundary they are those of the four-point scheme, 16e' = 9(a + b) − (before + after); an end on the boundary counts
+/// as regular, and a wing that is missing beyond an edge pq of a triangle pqr is p + q − r.
 ///
 /// # Rounding
 ///
-/// With valences up to k at most 2k + 40 roundings a term; the absolute weights of a stencil sum to less than 2,
-/// so the terms on both sides to at most 64 times the largest coordinate.
+/// With valences up to k at most 2k + 40 roundings a term; the absolute weights of a stencil, completed wings included, sum to
+/// at most 2, so the terms on both sides to at most 64 times the largest coordinate.
 pub fn modified_butterfly<T: CosineOfTurn>(
     implementation: impl Fn(&Mesh<Point<T, 3>>) -> Refined<Point<T, 3>>,
     mesh: &Mesh<Point<T, 3>>,
@@ -48,17 +50,18 @@ pub fn modified_butterfly<T: CosineOfTurn>(
         return refused(sides, &"one point for each vertex and edge");
     }
     let opposite = Opposite::of(mesh);
-    let closed = |a, b| opposite.left_of(a, b).unwrap_or(a);
-    // The neighbours of a, counterclockwise from b on.
+    // The neighbours of an inner vertex a, counterclockwise from b on; none of a vertex on the boundary.
     let around = |a: u32, b: u32| {
         let mut ring = vec![b];
-        let mut next = closed(a, b);
+        let mut next = opposite.left_of(a, b)?;
         while next != b && ring.len() <= old.edge_count() {
             ring.push(next);
-            next = closed(a, next);
+            next = opposite.left_of(a, next)?;
         }
-        ring
+        Some(ring)
     };
+    // The vertices before and after each one along the boundary.
+    let boundary = opposite.boundary();
     let sixteen = T::from_integer(16);
     let widest = old.vertices().map(|v| old.valence(v)).max().unwrap_or(3);
     let rounding = Rounding::new(2 * widest + 40, 64.0 * largest(mesh.points()));
@@ -66,31 +69,39 @@ pub fn modified_butterfly<T: CosineOfTurn>(
     for e in old.edges() {
         let [a, b] = old.edge_vertices(e).map(|v| v.0);
         let mut terms = vec![];
+        let mut stars = 0;
         for (a, b) in [(a, b), (b, a)] {
-            let ring = around(a, b);
-            if ring.len() == 6 {
+            let Some(ring) = around(a, b).filter(|ring| ring.len() != 6) else {
                 continue;
-            }
+            };
             let weights = match star::<T>(ring.len()) {
                 Ok(weights) => weights,
                 Err(error) => return refused(sides, &error),
             };
+            stars += 1;
             terms.push((T::from_integer(12), a));
             let weights = weights.into_iter().map(|w| w * sixteen.clone());
             terms.extend(weights.zip(ring));
         }
-        let stars = terms
-            .iter()
-            .filter(|(w, _)| *w == T::from_integer(12))
-            .count();
-        if stars == 0 {
-            for (a, b) in [(a, b), (b, a)] {
-                let c = closed(a, b);
-                let wings = [closed(a, c), closed(c, b)];
+        let sides_of_edge =
+            [(a, b), (b, a)].map(|(a, b)| opposite.left_of(a, b).map(|c| [a, b, c]));
+        if let [None, Some([b, a, _])] | [Some([b, a, _]), None] = sides_of_edge {
+            let beyond = [boundary[&a].0, boundary[&b].1];
+            terms = [a, b].map(|v| (T::from_integer(9), v)).to_vec();
+            terms.extend(beyond.map(|v| (T::from_integer(-1), v)));
+        } else if stars == 0 {
+            for [a, b, c] in sides_of_edge.into_iter().flatten() {
                 terms.extend([(T::from_integer(8), a), (T::from_integer(2), c)]);
-                terms.extend(wings.map(|wing| (T::from_integer(-1), wing)));
+                for (p, q, r) in [(a, c, b), (c, b, a)] {
+                    match opposite.left_of(p, q) {
+                        Some(wing) => terms.push((T::from_integer(-1), wing)),
+                        None => terms.extend(
+                            [(-1, p), (-1, q), (1, r)].map(|(n, v)| (T::from_integer(n), v)),
+                        ),
+                    }
+                }
             }
-        } else if around(a, b).len() != 6 && around(b, a).len() != 6 {
+        } else if stars == 2 {
             let half = T::from_ratio(1, 2);
             terms
                 .iter_mut()

@@ -28,6 +28,20 @@ impl Opposite {
         self.0.get(&(a, b)).copied()
     }
 
+    /// Of every vertex on the boundary the one before and the one after it, the boundary running with its faces to the right.
+    pub(super) fn boundary(&self) -> BTreeMap<u32, (u32, u32)> {
+        let mut along: BTreeMap<u32, (u32, u32)> = BTreeMap::new();
+        for &(b, a) in self
+            .0
+            .keys()
+            .filter(|&&(b, a)| !self.0.contains_key(&(a, b)))
+        {
+            along.entry(a).or_insert((a, a)).1 = b;
+            along.entry(b).or_insert((b, b)).0 = a;
+        }
+        along
+    }
+
     /// The vertices that are joined to v.
     pub(super) fn neighbours(&self, v: u32) -> std::collections::BTreeSet<u32> {
         let sides = self.0.keys();

@@ -7,21 +7,28 @@ use cagd::subdivision::{
     butterfly_cosine_formula, butterfly_star_weights, laws,
 };
 
-use super::loop_scheme::meshes;
+use super::loop_scheme::{meshes, unit_points};
 use crate::inputs::{for_each, integer, ratio};
 use crate::support::mutants::subdivision::butterfly as mutants;
 use crate::support::{holds, rejects};
 
 type Place = Point<BigRational, 3>;
 
+/// The meshes of Loop's tests, and strips of a regular mesh with unit points: wings are missing at one side and at both.
+fn open_and_closed() -> impl Iterator<Item = Mesh<Place>> {
+    let strips = (1..=3).flat_map(|rows| {
+        let cells = (0..rows).flat_map(|j| (0..4).map(move |i| 5 * j + i));
+        let halves = cells.flat_map(|v| [[v, v + 1, v + 6], [v, v + 6, v + 5]]);
+        let strip = HalfEdgeMesh::from_faces(5 * (rows as usize + 1), &halves.collect::<Vec<_>>());
+        unit_points(strip.expect("a strip"))
+    });
+    meshes().into_iter().chain(strips)
+}
+
 #[test]
 fn modified_butterfly() {
-    let closed = || {
-        let all = meshes().into_iter();
-        all.filter(|mesh| HalfEdgeMesh::is_closed(mesh.connectivity()))
-    };
     let law = |implementation: fn(&Mesh<Place>) -> laws::Refined<Place>| {
-        for_each(closed(), |mesh| {
+        for_each(open_and_closed(), |mesh| {
             laws::modified_butterfly(implementation, mesh)
         })
     };
@@ -29,6 +36,8 @@ fn modified_butterfly() {
     rejects("the formula at 3 and 4", law(mutants::formula_everywhere));
     rejects("eight points", law(mutants::eight_points));
     rejects("midpoints", law(mutants::midpoints));
+    rejects("boundary", law(mutants::midpoints_on_the_boundary));
+    rejects("wings", law(mutants::wings_left_out));
 }
 
 fn regular(data: &[BigRational]) -> Vec<BigRational> {

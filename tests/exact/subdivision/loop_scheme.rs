@@ -45,16 +45,17 @@ pub fn meshes() -> Vec<Mesh<Place>> {
         solids::torus_triangles(3, 3),
     ];
     connectivities.extend([3, 4, 6].map(solids::triangle_fan));
-    let unit = |mesh: HalfEdgeMesh| {
-        (0..mesh.vertex_count()).map(move |one| {
-            let point = |v: usize| {
-                Point::new([integer(i64::from(v == one)), integer(v as i64), integer(1)])
-            };
-            Mesh::new(mesh.clone(), (0..mesh.vertex_count()).map(point).collect())
-                .expect("finite points")
-        })
-    };
-    connectivities.into_iter().flat_map(unit).collect()
+    connectivities.into_iter().flat_map(unit_points).collect()
+}
+
+/// The meshes with these faces in which one point is raised.
+pub fn unit_points(mesh: HalfEdgeMesh) -> impl Iterator<Item = Mesh<Place>> {
+    (0..mesh.vertex_count()).map(move |one| {
+        let point =
+            |v: usize| Point::new([integer(i64::from(v == one)), integer(v as i64), integer(1)]);
+        Mesh::new(mesh.clone(), (0..mesh.vertex_count()).map(point).collect())
+            .expect("finite points")
+    })
 }
 
 #[test]

@@ -6,7 +6,8 @@ use cagd::subdivision::{
 };
 
 use super::catmull_clark::CASES;
-use super::loop_scheme::{Place, closed_meshes};
+use super::loop_scheme::Place;
+use super::meshes::triangle_meshes;
 use crate::generators::{for_all, for_all_of};
 use crate::support::mutants::subdivision::butterfly as mutants;
 use crate::support::{holds, rejects};
@@ -14,14 +15,16 @@ use crate::support::{holds, rejects};
 #[test]
 fn modified_butterfly() {
     let law = |implementation: fn(&Mesh<Place>) -> laws::Refined<Place>| {
-        for_all_of(CASES, closed_meshes(), |mesh| {
-            laws::modified_butterfly(implementation, mesh)
+        for_all_of(CASES, triangle_meshes(), |planted| {
+            laws::modified_butterfly(implementation, &planted.mesh)
         })
     };
     holds(law(|mesh| Butterfly::MODIFIED.refine(mesh)));
     rejects("the formula at 3 and 4", law(mutants::formula_everywhere));
     rejects("eight points", law(mutants::eight_points));
     rejects("midpoints", law(mutants::midpoints));
+    rejects("boundary", law(mutants::midpoints_on_the_boundary));
+    rejects("wings", law(mutants::wings_left_out));
 }
 
 fn regular(data: &[f64]) -> Vec<f64> {
