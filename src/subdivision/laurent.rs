@@ -30,8 +30,15 @@ pub struct LaurentPolynomial<T> {
     coefficients: Vec<T>,
 }
 
+/// The lowest power lies between the negative of this and this, so that sums and doubles of powers are still numbers.
+const FARTHEST: i64 = 1 << 60;
+
 impl<T: Scalar> LaurentPolynomial<T> {
     /// The polynomial whose coefficients, beginning with that of `z^lowest`, are given.
+    ///
+    /// # Arguments
+    ///
+    /// `lowest`: between −2⁶⁰ and 2⁶⁰; a power beyond counts as the nearest of these, here and in every product and shift.
     #[must_use]
     pub fn new(lowest: i64, coefficients: impl IntoIterator<Item = T>) -> Self {
         let mut coefficients: Vec<T> = coefficients.into_iter().collect();
@@ -44,7 +51,9 @@ impl<T: Scalar> LaurentPolynomial<T> {
             return Self::zero();
         }
         Self {
-            lowest: lowest + zeros as i64,
+            lowest: lowest
+                .saturating_add(zeros as i64)
+                .clamp(-FARTHEST, FARTHEST),
             coefficients,
         }
     }
@@ -92,8 +101,8 @@ impl<T: Scalar> LaurentPolynomial<T> {
     /// The coefficient of zⁱ, which is 0 outside of [`powers`](Self::powers).
     #[must_use]
     pub fn coefficient(&self, i: i64) -> T {
-        usize::try_from(i - self.lowest)
-            .ok()
+        i.checked_sub(self.lowest)
+            .and_then(|k| usize::try_from(k).ok())
             .and_then(|k| self.coefficients.get(k))
             .cloned()
             .unwrap_or_else(T::zero)
@@ -129,13 +138,17 @@ impl<T: Scalar> LaurentPolynomial<T> {
             let zeros = if k < last { factor - 1 } else { 0 };
             std::iter::once(c.clone()).chain(std::iter::repeat_n(T::zero(), zeros))
         });
-        Self::new(self.lowest * factor as i64, spread)
+        let factor = i64::try_from(factor).unwrap_or(i64::MAX);
+        Self::new(self.lowest.saturating_mul(factor), spread)
     }
 
     /// The polynomial times `z^by`: all indices grow by that number.
     #[must_use]
     pub fn shifted(&self, by: i64) -> Self {
-        Self::new(self.lowest + by, self.coefficients.iter().cloned())
+        Self::new(
+            self.lowest.saturating_add(by),
+            self.coefficients.iter().cloned(),
+        )
     }
 
     /// The polynomial times a number.

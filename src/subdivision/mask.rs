@@ -37,14 +37,41 @@ pub struct Mask<T> {
     symbol: LaurentPolynomial<T>,
 }
 
+/// The indices of a mask lie between the negative of this and this.
+const FARTHEST_OF_A_MASK: i64 = 1 << 31;
+
+/// The indices of points lie between the negative of this and this, so that they can be doubled.
+const FARTHEST_OF_POINTS: i64 = 1 << 61;
+
+fn check_indices(first: i64, count: usize, farthest: i64) -> Result<(), MaskError> {
+    let behind = i64::try_from(count).ok().and_then(|n| first.checked_add(n));
+    if first >= -farthest && behind.is_some_and(|behind| behind <= farthest) {
+        return Ok(());
+    }
+    Err(MaskError::Index {
+        first,
+        count,
+        farthest,
+    })
+}
+
 impl<T: Scalar> Mask<T> {
     /// The mask whose coefficients, beginning with that of index `first`, are given.
     ///
     /// # Errors
     ///
     /// [`MaskError::Zero`] if every coefficient is 0 or there is none,
-    /// [`MaskError::NotFinite`] if one is infinite or NaN.
+    /// [`MaskError::NotFinite`] if one is infinite or NaN, [`MaskError::Index`] if an index lies beyond ±2³¹.
+    ///
+    /// ```
+    /// use cagd::subdivision::{Mask, MaskError};
+    ///
+    /// let refused = Mask::new(i64::MAX, [0.5, 1.0, 0.5]).unwrap_err();
+    /// assert!(matches!(refused, MaskError::Index { .. }));
+    /// ```
     pub fn new(first: i64, coefficients: impl IntoIterator<Item = T>) -> Result<Self, MaskError> {
+        let coefficients: Vec<T> = coefficients.into_iter().collect();
+        check_indices(first, coefficients.len(), FARTHEST_OF_A_MASK)?;
         Self::from_symbol(LaurentPolynomial::new(first, coefficients))
     }
 
@@ -57,6 +84,8 @@ impl<T: Scalar> Mask<T> {
         if symbol.is_zero() {
             return Err(MaskError::Zero);
         }
+        let length = symbol.coefficients().len();
+        check_indices(symbol.powers().start, length, FARTHEST_OF_A_MASK)?;
         if let Some((index, c)) = symbol.terms().find(|(_, c)| !c.is_finite()) {
             return Err(MaskError::NotFinite {
                 index,
@@ -151,12 +180,14 @@ impl<T: Scalar> Mask<T> {
     /// ```
     #[must_use]
     pub fn rule(&self, i: i64) -> Vec<(i64, T)> {
-        let support = self.support();
+        // In larger numbers, for an index near the end of its range.
+        let Range { start, end } = self.support();
+        let [i, start, end] = [i, start, end].map(i128::from);
         // i − 2j runs from the last index of the support down to the first.
-        let lowest = (i - support.end + 1).div_euclid(2) + (i - support.end + 1).rem_euclid(2);
-        let highest = (i - support.start).div_euclid(2);
+        let lowest = (i - end + 1).div_euclid(2) + (i - end + 1).rem_euclid(2);
+        let highest = (i - start).div_euclid(2);
         (lowest..=highest)
-            .map(|j| (j, self.coefficient(i - 2 * j)))
+            .map(|j| (j as i64, self.coefficient((i - 2 * j) as i64)))
             .collect()
     }
 
@@ -237,7 +268,7 @@ impl<T: Scalar> Mask<T> {
     /// # Errors
     ///
     /// [`MaskError::NotAffine`] if a rule is no affine combination,
-    /// [`MaskError::TooFew`] if no new point can be computed.
+    /// [`MaskError::TooFew`] if no new point can be computed, [`MaskError::Index`] if an index lies beyond ±2⁶¹.
     ///
     /// ```
     /// use cagd::subdivision::{Mask, MaskError};
@@ -261,7 +292,7 @@ impl<T: Scalar> Mask<T> {
     ///
     /// # Errors
     ///
-    /// [`MaskError::TooFew`] if no new vector can be computed.
+    /// [`MaskError::TooFew`] if no new vector can be computed, [`MaskError::Index`] if an index lies beyond ±2⁶¹.
     pub fn apply_window<V: Linear<Scalar = T>>(
         &self,
         first: i64,
@@ -271,10 +302,13 @@ impl<T: Scalar> Mask<T> {
     }
 
     /// The indices of the new points that can be computed from the old ones of the indices `known`.
+    ///
+    /// An index beyond the range of its type counts as the end of this range.
     #[must_use]
     pub fn computable(&self, known: Range<i64>) -> Range<i64> {
         let support = self.support();
-        2 * known.start + support.end - 2..2 * known.end + support.start
+        let twice = |index: i64, shift: i64| index.saturating_mul(2).saturating_add(shift);
+        twice(known.start, support.end - 2)..twice(known.end, support.start)
     }
 
     fn over_window<P: Affine<Scalar = T>>(
@@ -282,6 +316,7 @@ impl<T: Scalar> Mask<T> {
         first: i64,
         points: &[P],
     ) -> Result<(i64, Vec<P>), MaskError> {
+        check_indices(first, points.len(), FARTHEST_OF_POINTS)?;
         let new = self.computable(first..first + points.len() as i64);
         if new.is_empty() {
             let width = self.support().end - self.support().start;
@@ -343,6 +378,18 @@ pub enum MaskError {
         index: i64,
         /// The coefficient.
         found: String,
+    },
+    /// An index is too far from 0.
+    #[error(
+        "{count} indices from {first} on do not lie between −{farthest} and {farthest}; shift them towards 0"
+    )]
+    Index {
+        /// The first index.
+        first: i64,
+        /// How many there are.
+        count: usize,
+        /// The largest index that can be used.
+        farthest: i64,
     },
     /// The weights of a rule do not sum to 1, so that it makes no point of points.
     #[error(

@@ -84,3 +84,66 @@ fn every_class_of_mask_occurs() {
         assert!(count >= 2, "{count} masks of the class «{class}»");
     }
 }
+
+/// Indices near the ends of their type are refused or computed with, and never wrap around.
+#[test]
+fn indices_at_the_ends_of_their_range() {
+    use cagd::subdivision::MaskError;
+
+    let refused = |outcome: Result<(), MaskError>| matches!(outcome, Err(MaskError::Index { .. }));
+    let chaikin = Mask::<f64>::lane_riesenfeld(2);
+    let weights = chaikin.symbol().coefficients().to_vec();
+    for first in [
+        i64::MIN,
+        -(1 << 31) - 1,
+        (1 << 31) - 3,
+        i64::MAX - 3,
+        i64::MAX,
+    ] {
+        assert!(refused(Mask::new(first, weights.clone()).map(|_| ())));
+        let symbol = LaurentPolynomial::new(first, weights.clone());
+        assert!(refused(Mask::from_symbol(symbol).map(|_| ())));
+    }
+    for first in [-(1 << 31), (1 << 31) - 4] {
+        let mask = Mask::new(first, weights.clone()).expect("the last indices that are allowed");
+        for i in [i64::MIN, i64::MIN + 1, -1, 0, i64::MAX - 1, i64::MAX] {
+            let rule = mask.rule(i);
+            assert_eq!(rule.len(), 2);
+            for (j, weight) in rule {
+                let index = i128::from(i) - 2 * i128::from(j);
+                let place = usize::try_from(index - i128::from(first)).expect("in the mask");
+                assert_eq!(weight, weights[place]);
+            }
+        }
+        let huge = 1 << 61;
+        for start in [i64::MIN, -huge - 1, huge - 1, i64::MAX - 1, i64::MAX] {
+            assert!(refused(mask.refine_window(start, &[0.0, 4.0]).map(|_| ())));
+            assert!(refused(mask.apply_window(start, &[0.0, 4.0]).map(|_| ())));
+        }
+        for start in [-huge, huge - 2] {
+            let (new, points) = mask.refine_window(start, &[0.0, 4.0]).expect("two points");
+            assert_eq!(points, [1.0, 3.0]);
+            assert_eq!(new, 2 * start + first + 2);
+        }
+    }
+    assert_eq!(
+        chaikin.computable(i64::MIN..i64::MAX),
+        i64::MIN + 2..i64::MAX
+    );
+}
+
+#[test]
+fn powers_beyond_the_range_count_as_its_ends() {
+    for far in [i64::MIN, i64::MAX] {
+        let end = far.clamp(-(1 << 60), 1 << 60);
+        let p = LaurentPolynomial::new(far, [0.0, 1.0, 2.0]);
+        assert_eq!(p.powers().end - p.powers().start, 2);
+        assert_eq!(p.powers().start, end);
+        assert_eq!(p.coefficient(p.powers().start), 1.0);
+        assert_eq!(p.coefficient(far), 0.0);
+        assert_eq!(p.coefficient(-end), 0.0);
+        assert_eq!((&p * &p).powers().start, end);
+        assert_eq!(p.shifted(far).powers().start, end);
+        assert_eq!(p.stretched(2).powers().start, end);
+    }
+}
