@@ -168,10 +168,49 @@ impl CatmullClark {
     /// # Ok::<(), cagd::subdivision::SchemeError>(())
     /// ```
     pub fn limit_position<P: Affine>(&self, mesh: &Mesh<P>, v: VertexId) -> Result<P, SchemeError> {
+        self.limit_position_creased(mesh, &Creases::none(mesh.connectivity()), v)
+    }
+
+    /// Where a vertex of a quadrilateral mesh ends after infinitely many steps of [`refine_creased`](Self::refine_creased).
+    ///
+    /// A corner stays, and a vertex of a crease goes to (a + 4v + b)/6 with its neighbours along it.
+    /// What touches no sharp edge goes where it goes without tags: sharp edges farther away do not reach it.
+    ///
+    /// # Errors
+    ///
+    /// As [`limit_position`](Self::limit_position), and [`SchemeError::CreaseEnd`] where exactly one sharp edge ends.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cagd::subdivision::{CatmullClark, Creases, SchemeError, VertexId, solids};
+    ///
+    /// let cube = solids::cube::<f64>();
+    /// let mesh = cube.connectivity();
+    /// let edge = mesh.edge(mesh.vertex_half_edge(VertexId(0)));
+    /// let creases = Creases::new(mesh, [edge], [])?;
+    /// let refused = CatmullClark.limit_position_creased(&cube, &creases, VertexId(0));
+    /// assert!(matches!(refused, Err(SchemeError::CreaseEnd { .. })));
+    ///
+    /// let corner = Creases::new(mesh, [edge], [VertexId(0)])?;
+    /// let limit = CatmullClark.limit_position_creased(&cube, &corner, VertexId(0))?;
+    /// assert_eq!(&limit, cube.point(VertexId(0)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn limit_position_creased<P: Affine>(
+        &self,
+        mesh: &Mesh<P>,
+        creases: &Creases,
+        v: VertexId,
+    ) -> Result<P, SchemeError> {
         let old = mesh.connectivity();
-        match Creases::none(old).rule(old, v) {
+        match creases.rule(old, v) {
             VertexRule::Corner => Ok(mesh.point(v).clone()),
             VertexRule::Crease(ends) => Ok(along_crease(mesh, v, ends, [4, 6])),
+            VertexRule::Smooth if creases.is_dart(old, v) => Err(SchemeError::CreaseEnd {
+                scheme: NAME,
+                vertex: v,
+            }),
             VertexRule::Smooth => {
                 let star = self.star(mesh, v)?;
                 let weights = catmull_clark_limit_weights(star.neighbours.len());

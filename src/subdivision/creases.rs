@@ -149,6 +149,14 @@ impl Creases {
         }
     }
 
+    /// Whether exactly one sharp edge ends at `v`, which then is a dart; its own rule is the smooth one.
+    #[must_use]
+    pub fn is_dart(&self, mesh: &HalfEdgeMesh, v: VertexId) -> bool {
+        let ring = mesh.vertex_ring(v).map(|h| mesh.edge(h));
+        self.rule(mesh, v) == VertexRule::Smooth
+            && ring.filter(|&e| self.is_sharp(mesh, e)).count() == 1
+    }
+
     /// The tags after one split of all edges: the halves of edge e are 2e and 2e + 1, old vertices keep their numbers.
     pub(super) fn refined(&self, refined: &HalfEdgeMesh) -> Self {
         let halves = self.sharp.iter().flat_map(|&sharp| [sharp; 2]);

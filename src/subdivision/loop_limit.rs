@@ -3,6 +3,7 @@
 use num_traits::One as _;
 
 use super::cosine::{CosineError, CosineOfTurn};
+use super::creases::{Creases, VertexRule};
 use super::loop_scheme::{Loop, boundary_neighbours, loop_limit_weight};
 use super::stencil::{count, weighted};
 use super::{Mesh, SchemeError, VertexId};
@@ -108,10 +109,7 @@ impl Loop {
     {
         let connectivity = mesh.connectivity();
         if connectivity.is_boundary(v) {
-            let share = P::Scalar::from_ratio(1, 6);
-            let terms = boundary_neighbours(mesh, v).map(|n| (share.clone(), n));
-            let own = (P::Scalar::from_ratio(4, 6), v);
-            return Ok(weighted(mesh, std::iter::once(own).chain(terms)));
+            return Ok(crease_limit(mesh, v, boundary_neighbours(mesh, v)));
         }
         let valence = connectivity.valence(v);
         let omega = loop_limit_weight::<P::Scalar>(valence).map_err(|_| irrational(v, valence))?;
@@ -119,6 +117,55 @@ impl Loop {
         let neighbours = connectivity.neighbours(v).map(|n| (share.clone(), n));
         let own = (omega * share.clone(), v);
         Ok(weighted(mesh, std::iter::once(own).chain(neighbours)))
+    }
+
+    /// Where a vertex comes to lie in the limit of [`refine_creased`](Loop::refine_creased).
+    ///
+    /// A corner stays, and a vertex of a crease goes to (4v + a + b)/6 with its neighbours along it.
+    /// What touches no sharp edge goes where it goes without tags: sharp edges farther away do not reach it.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use cagd::affine::Point;
+    /// use cagd::subdivision::{Creases, Loop, VertexId, solids};
+    ///
+    /// let octahedron = solids::octahedron::<f64>();
+    /// let mesh = octahedron.connectivity();
+    /// let equator = mesh.edges().filter(|&e| mesh.edge_vertices(e).iter().all(|v| v.0 < 4));
+    /// let creases = Creases::new(mesh, equator, [])?;
+    /// let limit = Loop.limit_point_creased(&octahedron, &creases, VertexId(0))?;
+    /// assert!((limit - Point::new([2.0 / 3.0, 0.0, 0.0])).amax() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`limit_point`](Self::limit_point), and [`SchemeError::CreaseEnd`] where exactly one sharp edge ends.
+    ///
+    /// # Panics
+    ///
+    /// If the mesh has no such vertex.
+    pub fn limit_point_creased<P>(
+        self,
+        mesh: &Mesh<P>,
+        creases: &Creases,
+        v: VertexId,
+    ) -> Result<P, SchemeError>
+    where
+        P: Affine,
+        P::Scalar: CosineOfTurn,
+    {
+        let connectivity = mesh.connectivity();
+        match creases.rule(connectivity, v) {
+            VertexRule::Corner => Ok(mesh.point(v).clone()),
+            VertexRule::Crease(ends) => Ok(crease_limit(mesh, v, ends)),
+            VertexRule::Smooth if creases.is_dart(connectivity, v) => Err(SchemeError::CreaseEnd {
+                scheme: "Loop's scheme",
+                vertex: v,
+            }),
+            VertexRule::Smooth => self.limit_point(mesh, v),
+        }
     }
 
     /// Two vectors that span the tangent plane of the limit surface at a vertex, if they are independent.
@@ -174,6 +221,13 @@ impl Loop {
         }
         Ok(tangents)
     }
+}
+
+/// (4v + a + b)/6, the limit of the cubic rule for curves.
+fn crease_limit<P: Affine>(mesh: &Mesh<P>, v: VertexId, ends: [VertexId; 2]) -> P {
+    let [own, end] = [4, 1].map(|sixths| P::Scalar::from_ratio(sixths, 6));
+    let ends = ends.map(|n| (end.clone(), n));
+    weighted(mesh, std::iter::once((own, v)).chain(ends))
 }
 
 fn irrational(vertex: VertexId, valence: usize) -> SchemeError {

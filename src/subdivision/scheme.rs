@@ -99,6 +99,16 @@ pub enum SchemeError {
         /// Why there is no rule, and what to do.
         reason: &'static str,
     },
+    /// Exactly one sharp edge ends at a vertex, and the limit there is not known.
+    #[error(
+        "{scheme} has no limit stencil at {vertex}, where a crease ends; tag the vertex as a corner, or take the vertex after some steps"
+    )]
+    CreaseEnd {
+        /// The scheme.
+        scheme: &'static str,
+        /// The vertex.
+        vertex: VertexId,
+    },
     /// The mesh has a boundary, and the scheme has no rule there.
     #[error("{scheme} has no rule at the boundary, where {vertex} lies; close the mesh")]
     Boundary {

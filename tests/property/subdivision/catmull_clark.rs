@@ -2,11 +2,11 @@
 
 use cagd::affine::Point;
 use cagd::subdivision::{
-    CatmullClark, Creases, EdgeId, HalfEdgeMesh, Mesh, SchemeError, SurfaceScheme, VertexId, laws,
-    solids,
+    CatmullClark, Creases, HalfEdgeMesh, Mesh, SchemeError, SurfaceScheme, VertexId, laws, solids,
 };
 use proptest::prelude::*;
 
+use super::creases::creased;
 use crate::generators::{for_all_of, scale};
 use crate::support::mutants::subdivision::catmull_clark as mutants;
 use crate::support::{Outcome, holds, rejects};
@@ -139,30 +139,11 @@ fn catmull_clark_tangents() {
     );
 }
 
-/// Meshes with random tags: every edge with a chance of a third, every vertex of a tenth.
-fn creased() -> impl Strategy<Value = (Mesh<Place>, Creases)> {
-    meshes().prop_flat_map(|mesh| {
-        let old = mesh.connectivity();
-        let edges = prop::collection::vec(prop::bool::weighted(0.3), old.edge_count());
-        let corners = prop::collection::vec(prop::bool::weighted(0.1), old.vertex_count());
-        (Just(mesh), edges, corners).prop_map(|(mesh, edges, corners)| {
-            let chosen = |list: &[bool]| {
-                let numbers = list.iter().enumerate().filter(|(_, tag)| **tag);
-                numbers.map(|(i, _)| i as u32).collect::<Vec<u32>>()
-            };
-            let sharp = chosen(&edges).into_iter().map(EdgeId);
-            let corners = chosen(&corners).into_iter().map(VertexId);
-            let creases = Creases::new(mesh.connectivity(), sharp, corners);
-            (mesh, creases.expect("elements of the mesh"))
-        })
-    })
-}
-
 #[test]
 fn creases() {
     type Refine = fn(&Mesh<Place>, &Creases) -> Result<(Mesh<Place>, Creases), SchemeError>;
     let law = |implementation: Refine| {
-        for_all_of(CASES, creased(), |(mesh, creases)| {
+        for_all_of(CASES, creased(meshes()), |(mesh, creases)| {
             laws::creases(implementation, mesh, creases)
         })
     };

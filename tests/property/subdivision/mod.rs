@@ -3,6 +3,7 @@
 mod butterfly;
 mod catmull_clark;
 mod corner_cutting;
+mod creases;
 mod doo_sabin;
 mod eigenstructure;
 mod four_point;

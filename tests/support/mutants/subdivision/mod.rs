@@ -3,6 +3,7 @@
 pub mod butterfly;
 pub mod catmull_clark;
 pub mod corner_cutting;
+pub mod creases;
 pub mod doo_sabin;
 pub mod eigenstructure;
 pub mod four_point;
