@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use cagd::affine::Point;
-use cagd::subdivision::{HalfEdgeMesh, Mesh, laws, solids};
+use cagd::subdivision::{CatmullClark, HalfEdgeMesh, Mesh, SurfaceScheme, laws, solids};
 use proptest::prelude::*;
 
 use crate::generators::{for_all, for_all_of};
@@ -196,8 +196,12 @@ fn merged(mesh: &HalfEdgeMesh, dice: &mut Dice) -> HalfEdgeMesh {
 
 /// Random meshes of these faces: closed and open, genus 0 to 3, with a vertex of a valence from 3 to 12.
 pub fn meshes_of(kind: Faces) -> impl Strategy<Value = Planted> {
+    meshes_with(kind, prop_oneof![2 => Just(0_usize), 3 => 1_usize..=3])
+}
+
+/// Random meshes of these faces with so many holes.
+fn meshes_with(kind: Faces, holes: impl Strategy<Value = usize>) -> impl Strategy<Value = Planted> {
     let numbers = prop::collection::vec(any::<u32>(), 97);
-    let holes = prop_oneof![2 => Just(0_usize), 3 => 1_usize..=3];
     (
         0_usize..=3,
         holes,
@@ -218,6 +222,14 @@ pub fn triangle_meshes() -> impl Strategy<Value = Planted> {
 /// Random quadrilateral meshes.
 pub fn quadrilateral_meshes() -> impl Strategy<Value = Planted> {
     meshes_of(Faces::Quadrilaterals)
+}
+
+/// Random closed quadrilateral meshes in which no face has two extraordinary vertices.
+pub fn separated_meshes() -> impl Strategy<Value = Planted> {
+    meshes_with(Faces::Quadrilaterals, Just(0)).prop_map(|planted| Planted {
+        mesh: CatmullClark.refine(&planted.mesh).expect("a closed mesh"),
+        ..planted
+    })
 }
 
 /// Random meshes with any faces.

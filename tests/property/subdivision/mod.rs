@@ -7,6 +7,7 @@ mod creases;
 mod doo_sabin;
 mod eigenstructure;
 mod four_point;
+mod invariants;
 mod kobbelt;
 mod limit_points;
 mod loop_scheme;

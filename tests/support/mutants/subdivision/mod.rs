@@ -7,6 +7,7 @@ pub mod creases;
 pub mod doo_sabin;
 pub mod eigenstructure;
 pub mod four_point;
+pub mod invariants;
 pub mod kobbelt;
 pub mod limit_points;
 pub mod loop_scheme;
