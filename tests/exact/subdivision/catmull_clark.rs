@@ -2,12 +2,13 @@
 //!
 //! All rules are linear in the points, so unit values at each vertex prove them for a connectivity.
 
+use cagd::bspline::uniform_b_spline;
 use cagd::scalar::BigRational;
 use cagd::subdivision::{
     CatmullClark, Creases, EdgeId, HalfEdgeMesh, Mesh, SurfaceScheme, VertexId, laws, solids,
 };
 
-use crate::inputs::{for_each, integer};
+use crate::inputs::{for_each, integer, ratio};
 use crate::support::mutants::subdivision::catmull_clark as mutants;
 use crate::support::{Outcome, holds, rejects};
 
@@ -138,4 +139,43 @@ fn creases() {
     rejects("tags ignored", law(mutants::tags_ignored));
     rejects("tags lost", law(mutants::tags_lost));
     rejects("crease vertices stay", law(mutants::crease_vertices_stay));
+}
+
+/// On a regular torus the refined spike has the limits N³(x)·N³(y) at the points of the finer lattice.
+#[test]
+fn a_spike_becomes_the_tensor_product_b_spline() {
+    let n = 8;
+    let torus = solids::torus_quadrilaterals(n, n);
+    let centre = 4 * n + 4;
+    let heights = (0..n * n).map(|v| integer(i64::from(v == centre)));
+    let spike = Mesh::new(torus, heights.collect()).expect("finite heights");
+    let refined = CatmullClark.refine(&spike).expect("valence 4");
+    let old = spike.connectivity();
+    // Places as multiples of 1/4, relative to the spike; no old face is taken that lies across the border of the square.
+    let place = |v: VertexId| [v.index() % n, v.index() / n].map(|k| 4 * (k as i64 - 4));
+    let mean = |vertices: &[VertexId]| {
+        let sum = |k: usize| vertices.iter().map(|&v| place(v)[k]).sum::<i64>();
+        [0, 1].map(|k| sum(k) / vertices.len() as i64)
+    };
+    let mut groups: Vec<Vec<VertexId>> = old.vertices().map(|v| vec![v]).collect();
+    groups.extend(old.edges().map(|e| old.edge_vertices(e).to_vec()));
+    groups.extend(old.faces().map(|f| old.face_vertices(f).collect()));
+    let mut compared = 0;
+    for (vertex, group) in groups.iter().enumerate() {
+        let near = |k: usize| {
+            let along = group.iter().map(|&v| place(v)[k]);
+            along.clone().max() <= along.min().map(|least| least + 4)
+        };
+        if !(near(0) && near(1)) {
+            continue;
+        }
+        let limit: Exact = CatmullClark
+            .limit_position(&refined, VertexId(vertex as u32))
+            .expect("valence 4");
+        // The knots of N³ begin at 0, so its centre is 2.
+        let [x, y] = mean(group).map(|quarters| uniform_b_spline(3, ratio(quarters + 8, 4)));
+        assert_eq!(limit, x * y, "at {:?}/4", mean(group));
+        compared += 1;
+    }
+    assert_eq!(compared, 15 * 15);
 }

@@ -3,14 +3,16 @@
 use cagd::affine::Point;
 use cagd::law::{Rounding, Sides};
 use cagd::subdivision::{
-    CatmullClark, FastScheme, HalfEdgeMesh, Mesh, Refiner, StencilCascade, SurfaceScheme, solids,
+    CatmullClark, FastScheme, HalfEdgeMesh, Loop, Mesh, Refiner, StencilCascade, SurfaceScheme,
+    solids,
 };
+use proptest::prelude::*;
 
-use super::meshes::{Planted, Space, polygon_meshes};
+use super::meshes::{Planted, Space, polygon_meshes, triangle_meshes};
 use crate::generators::for_all_of;
-use crate::support::{holds, rejects};
+use crate::support::{Outcome, holds, rejects};
 
-type Fast = fn(&Space, usize) -> Space;
+type Quick = fn(FastScheme, &Space, usize) -> Space;
 
 /// Both meshes have the same lists, and coordinates that differ by rounding only.
 ///
@@ -57,8 +59,8 @@ fn fast(scheme: FastScheme, mesh: &Space, steps: usize) -> Space {
     refiner.refine(mesh, steps).expect("a small mesh").clone()
 }
 
-fn without_boundary_rule(mesh: &Space, steps: usize) -> Space {
-    let refined = fast(FastScheme::CatmullClark, mesh, steps);
+fn without_boundary_rule(scheme: FastScheme, mesh: &Space, steps: usize) -> Space {
+    let refined = fast(scheme, mesh, steps);
     let mut points = refined.points().to_vec();
     let moved = refined
         .connectivity()
@@ -70,30 +72,43 @@ fn without_boundary_rule(mesh: &Space, steps: usize) -> Space {
     Mesh::new(refined.connectivity().clone(), points).expect("finite points")
 }
 
-fn one_step_too_few(mesh: &Space, steps: usize) -> Space {
-    fast(FastScheme::CatmullClark, mesh, steps - 1)
+fn one_step_too_few(scheme: FastScheme, mesh: &Space, steps: usize) -> Space {
+    fast(scheme, mesh, steps - 1)
 }
 
 #[test]
-fn quick_catmull_clark() {
-    let law = |implementation: Fast| {
-        for_all_of(48, (polygon_meshes(), 1_usize..=2), |(planted, steps)| {
-            let expected = CatmullClark
-                .refine_times(&planted.mesh, *steps)
-                .expect("a small mesh");
+fn quick_refinement() {
+    fn law(
+        scheme: FastScheme,
+        slow: &impl SurfaceScheme<Point<f64, 3>>,
+        meshes: impl Strategy<Value = Planted>,
+        quick: Quick,
+    ) -> Outcome {
+        for_all_of(48, (meshes, 1_usize..=2), |(planted, steps)| {
+            let expected = slow.refine_times(&planted.mesh, *steps);
             same_mesh(
-                &implementation(&planted.mesh, *steps),
-                &expected,
+                &quick(scheme, &planted.mesh, *steps),
+                &expected.expect("a small mesh"),
                 &planted.mesh,
                 *steps,
             )
         })
+    }
+
+    let triangles = |quick| law(FastScheme::Loop, &Loop, triangle_meshes(), quick);
+    let polygons = |quick| {
+        law(
+            FastScheme::CatmullClark,
+            &CatmullClark,
+            polygon_meshes(),
+            quick,
+        )
     };
-    holds(law(|mesh, steps| {
-        fast(FastScheme::CatmullClark, mesh, steps)
-    }));
-    rejects("a wrong boundary", law(without_boundary_rule));
-    rejects("one step too few", law(one_step_too_few));
+    for law in [&triangles as &dyn Fn(Quick) -> Outcome, &polygons] {
+        holds(law(fast));
+        rejects("a wrong boundary", law(without_boundary_rule));
+        rejects("one step too few", law(one_step_too_few));
+    }
 }
 
 /// Stencils give the points that refinement gives, in single precision.
