@@ -1,7 +1,7 @@
 //! Half-edges from lists of faces.
 
 use super::connectivity::{Blocks, HalfEdgeMesh};
-use super::{FaceId, MeshError, VertexId};
+use super::{FaceId, HalfEdgeId, MeshError, VertexId};
 
 /// No half-edge yet.
 const NONE: u32 = u32::MAX;
@@ -32,33 +32,108 @@ impl HalfEdgeMesh {
         vertex_count: usize,
         faces: &[F],
     ) -> Result<Self, MeshError> {
-        let (blocks, mut origin) = corners(vertex_count, faces)?;
-        let mut flip = pair_half_edges(vertex_count, &blocks, &origin)?;
-        let (edge, edge_half_edge) = number_edges(&blocks, &mut flip, &mut origin);
+        let (blocks, origin) = corners(vertex_count, faces)?;
+        let mut faces = vec![0; vertex_count];
+        for &v in &origin {
+            faces[v as usize] += 1;
+        }
         let mut mesh = Self {
-            blocks,
-            origin,
-            flip,
-            edge,
+            flip: vec![NONE; origin.len()],
+            edge: vec![NONE; origin.len()],
+            edge_half_edge: Vec::with_capacity(origin.len() / 2),
+            vertex_half_edge: vec![NONE; vertex_count],
             boundary_next: vec![],
             boundary_prev: vec![],
-            vertex_half_edge: vec![NONE; vertex_count],
-            edge_half_edge,
+            blocks,
+            origin,
         };
-        mesh.link();
-        mesh.check_vertices()?;
+        mesh.pair_half_edges(&faces)?;
+        mesh.close_boundary();
+        mesh.check_vertices(&faces)?;
         Ok(mesh)
     }
 
-    /// Gives every vertex a half-edge, one without face if it has one, and links those without face.
-    fn link(&mut self) {
-        for (h, &v) in self.origin.iter().enumerate() {
-            let stored = &mut self.vertex_half_edge[v as usize];
-            if *stored == NONE || h >= self.blocks.half_edges() {
-                *stored = h as u32;
+    /// Gives every edge a number and its one or two half-edges, and every vertex its first half-edge.
+    ///
+    /// `faces` tells how many faces each vertex has.
+    ///
+    /// Each edge is kept in the list of that end which has fewer faces, and a partner is looked for there.
+    /// So a vertex with very many edges does not make a long list.
+    fn pair_half_edges(&mut self, faces: &[u32]) -> Result<(), MeshError> {
+        // Of every vertex the last half-edge of its list; of every half-edge the one before, and the other end of its edge.
+        let mut last = vec![NONE; self.vertex_count()];
+        let mut list = vec![(NONE, NONE); self.origin.len()];
+        for f in 0..self.blocks.faces() as u32 {
+            let block = self.blocks.range(f);
+            for h in block.clone() {
+                let next = if h + 1 == block.end {
+                    block.start
+                } else {
+                    h + 1
+                };
+                let [start, end] = [h, next].map(|h| self.origin[h as usize]);
+                let stored = &mut self.vertex_half_edge[start as usize];
+                *stored = (*stored).min(h);
+                let smaller = (faces[start as usize], start) < (faces[end as usize], end);
+                let (keeper, other) = if smaller { (start, end) } else { (end, start) };
+                let mut g = last[keeper as usize];
+                while g != NONE && list[g as usize].1 != other {
+                    g = list[g as usize].0;
+                }
+                if g == NONE {
+                    list[h as usize] = (last[keeper as usize], other);
+                    last[keeper as usize] = h;
+                    self.edge[h as usize] = self.edge_half_edge.len() as u32;
+                    self.edge_half_edge.push(h);
+                } else {
+                    self.join(g, h)?;
+                    self.edge[h as usize] = self.edge[g as usize];
+                }
             }
         }
+        Ok(())
+    }
+
+    /// Makes two half-edges of the same edge the flips of each other.
+    fn join(&mut self, h: u32, g: u32) -> Result<(), MeshError> {
+        let face = |h: u32| FaceId(self.blocks.face(h));
+        // Before there is a boundary, `next` runs around faces.
+        let start = self.origin(HalfEdgeId(h));
+        let end = || self.origin(self.next(HalfEdgeId(h)));
+        let partner = self.flip[h as usize];
+        if partner != NONE {
+            return Err(MeshError::NonManifoldEdge {
+                start,
+                end: end(),
+                faces: [face(h), face(partner), face(g)],
+            });
+        }
+        if start.0 == self.origin[g as usize] {
+            return Err(MeshError::InconsistentOrientation {
+                start,
+                end: end(),
+                faces: [face(h), face(g)],
+            });
+        }
+        self.flip[h as usize] = g;
+        self.flip[g as usize] = h;
+        Ok(())
+    }
+
+    /// Adds a half-edge without face beside every one that has no partner, and links them; it becomes that of its vertex.
+    fn close_boundary(&mut self) {
         let first = self.blocks.half_edges();
+        for h in 0..first {
+            if self.flip[h] == NONE {
+                let end = self.origin(self.next(HalfEdgeId(h as u32))).0;
+                let beside = self.flip.len() as u32;
+                self.flip[h] = beside;
+                self.flip.push(h as u32);
+                self.origin.push(end);
+                self.edge.push(self.edge[h]);
+                self.vertex_half_edge[end as usize] = beside;
+            }
+        }
         let count = self.origin.len() - first;
         self.boundary_next = vec![NONE; count];
         self.boundary_prev = vec![NONE; count];
@@ -70,13 +145,9 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Every vertex has faces, and they are one fan or one ring.
-    fn check_vertices(&self) -> Result<(), MeshError> {
+    /// Every vertex has faces, as many as `faces` tells, and they are one fan or one ring.
+    fn check_vertices(&self, faces: &[u32]) -> Result<(), MeshError> {
         let corners = self.blocks.half_edges();
-        let mut faces = vec![0_u32; self.vertex_count()];
-        for &v in &self.origin[..corners] {
-            faces[v as usize] += 1;
-        }
         for v in self.vertices() {
             let faces = faces[v.index()] as usize;
             if faces == 0 {
@@ -191,128 +262,4 @@ fn check_face(vertex_count: usize, face: FaceId, vertices: &[u32]) -> Result<(),
             vertex: VertexId(vertex),
         }),
     }
-}
-
-/// Of every half-edge with a face its flip; [`NONE`] at the boundary.
-///
-/// Each edge is put into the basket of that end which has fewer corners, and partners are found in the baskets.
-/// So a vertex with very many edges does not make a long basket.
-fn pair_half_edges(
-    vertex_count: usize,
-    blocks: &Blocks,
-    origin: &[u32],
-) -> Result<Vec<u32>, MeshError> {
-    let mut corners = vec![0_u32; vertex_count];
-    for &v in origin {
-        corners[v as usize] += 1;
-    }
-    let mut ends = Vec::with_capacity(origin.len());
-    for f in 0..blocks.faces() as u32 {
-        let vertices = &origin[blocks.range(f).start as usize..blocks.range(f).end as usize];
-        for (i, &start) in vertices.iter().enumerate() {
-            let end = *vertices.get(i + 1).unwrap_or(&vertices[0]);
-            let smaller = (corners[start as usize], start) < (corners[end as usize], end);
-            ends.push(if smaller { (start, end) } else { (end, start) });
-        }
-    }
-    // Counting sort: afterwards the basket of v lies between fill[v − 1] and fill[v].
-    let mut fill = vec![0_u32; vertex_count + 1];
-    for &(keeper, _) in &ends {
-        fill[keeper as usize + 1] += 1;
-    }
-    for v in 0..vertex_count {
-        fill[v + 1] += fill[v];
-    }
-    let mut baskets = vec![(0_u32, 0_u32); origin.len()];
-    for (h, &(keeper, other)) in ends.iter().enumerate() {
-        let place = &mut fill[keeper as usize];
-        baskets[*place as usize] = (other, h as u32);
-        *place += 1;
-    }
-    let mut flip = vec![NONE; origin.len()];
-    let mut start = 0;
-    for &end in &fill[..vertex_count] {
-        let basket = &baskets[start..end as usize];
-        for (i, &(other, h)) in basket.iter().enumerate() {
-            for &(another, g) in &basket[i + 1..] {
-                if other == another {
-                    join(blocks, origin, &mut flip, h, g)?;
-                }
-            }
-        }
-        start = end as usize;
-    }
-    Ok(flip)
-}
-
-/// Makes two half-edges of the same edge the flips of each other.
-fn join(
-    blocks: &Blocks,
-    origin: &[u32],
-    flip: &mut [u32],
-    h: u32,
-    g: u32,
-) -> Result<(), MeshError> {
-    let end_of = |h: u32| {
-        let block = blocks.range(blocks.face(h));
-        origin[if h + 1 == block.end {
-            block.start
-        } else {
-            h + 1
-        } as usize]
-    };
-    let face = |h: u32| FaceId(blocks.face(h));
-    let (start, end) = (VertexId(origin[h as usize]), VertexId(end_of(h)));
-    for (half, third) in [(h, g), (g, h)] {
-        let partner = flip[half as usize];
-        if partner != NONE {
-            return Err(MeshError::NonManifoldEdge {
-                start,
-                end,
-                faces: [face(half), face(partner), face(third)],
-            });
-        }
-    }
-    if origin[h as usize] == origin[g as usize] {
-        return Err(MeshError::InconsistentOrientation {
-            start,
-            end,
-            faces: [face(h), face(g)],
-        });
-    }
-    flip[h as usize] = g;
-    flip[g as usize] = h;
-    Ok(())
-}
-
-/// Adds the half-edges of the boundary and numbers the edges: the edge of every half-edge, a half-edge of every edge.
-fn number_edges(
-    blocks: &Blocks,
-    flip: &mut Vec<u32>,
-    origin: &mut Vec<u32>,
-) -> (Vec<u32>, Vec<u32>) {
-    let corners = flip.len();
-    let mut edge = vec![NONE; corners];
-    let mut edge_half_edge = Vec::with_capacity(corners / 2);
-    for h in 0..corners {
-        if flip[h] == NONE {
-            let block = blocks.range(blocks.face(h as u32));
-            let next = if h as u32 + 1 == block.end {
-                block.start
-            } else {
-                h as u32 + 1
-            };
-            flip[h] = flip.len() as u32;
-            flip.push(h as u32);
-            origin.push(origin[next as usize]);
-            edge.push(NONE);
-        }
-        if edge[h] == NONE {
-            let e = edge_half_edge.len() as u32;
-            edge[h] = e;
-            edge[flip[h] as usize] = e;
-            edge_half_edge.push(h as u32);
-        }
-    }
-    (edge, edge_half_edge)
 }
