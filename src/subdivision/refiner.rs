@@ -61,6 +61,17 @@ impl Around {
         let sum = &mut self.sums[v as usize];
         *sum = plus(*sum, point);
     }
+
+    /// Counts an edge at both of its ends, and adds to each sum the other end; gives the sum of both.
+    #[inline]
+    fn add_ends(&mut self, [start, end]: [u32; 2], points: &[Point<f64, 3>]) -> [f64; 3] {
+        let [a, b] = [start, end].map(|v| array(&points[v as usize]));
+        self.add(start, b);
+        self.add(end, a);
+        self.valences[start as usize] += 1;
+        self.valences[end as usize] += 1;
+        plus(a, b)
+    }
 }
 
 impl Refiner {
@@ -162,13 +173,7 @@ fn loop_points(mesh: &Space, around: &mut Around, points: &mut Vec<Point<f64, 3>
     let (vertex_points, edge_points) = points.split_at_mut(vertices);
     for (point, &h) in edge_points.iter_mut().zip(&connectivity.edge_half_edge) {
         let g = flip[h as usize];
-        let [start, end] = [h, g].map(|h| origin[h as usize]);
-        let [a, b] = [start, end].map(|v| array(&old[v as usize]));
-        let sum = plus(a, b);
-        around.add(start, b);
-        around.add(end, a);
-        around.valences[start as usize] += 1;
-        around.valences[end as usize] += 1;
+        let sum = around.add_ends([h, g].map(|h| origin[h as usize]), old);
         *point = Point::new(if g < corners {
             let [c, d] = [h, g].map(|h| {
                 let opposite = origin[prev_in_triangle(h) as usize];
@@ -237,13 +242,7 @@ fn catmull_clark_points(
     };
     for (point, &h) in edge_points.iter_mut().zip(&connectivity.edge_half_edge) {
         let g = flip[h as usize];
-        let [start, end] = [h, g].map(|h| origin[h as usize]);
-        let [a, b] = [start, end].map(|v| array(&old[v as usize]));
-        let sum = plus(a, b);
-        around.add(start, b);
-        around.add(end, a);
-        around.valences[start as usize] += 1;
-        around.valences[end as usize] += 1;
+        let sum = around.add_ends([h, g].map(|h| origin[h as usize]), old);
         *point = Point::new(if g < corners {
             let [c, d] = [h, g].map(|h| array(&face_points[face_of(h) as usize]));
             times(plus(sum, plus(c, d)), 0.25)

@@ -3,45 +3,138 @@
 use super::refiner::check_inner_valence;
 use super::{FastScheme, HalfEdgeMesh, MeshError, SchemeError, VertexId, loop_beta};
 
-/// Rows of weights: row i lists (j, w), and its point is Σ w · (point j).
+/// The points of which a row is a weighted sum: old ones, and the new ones of faces.
+#[derive(Clone, Copy)]
+struct Sources<'a, const D: usize> {
+    old: &'a [[f32; D]],
+    faces: &'a [[f32; D]],
+}
+
+/// Rows with the same weights, one after the other.
+///
+/// The first weights belong to old points, the others to points of faces; so does what every row lists.
 #[derive(Debug, Clone, PartialEq)]
+struct Run {
+    weights: Vec<f32>,
+    /// How many of the weights belong to old points.
+    old: usize,
+    rows: usize,
+}
+
+/// Stencils row by row; what rows have in common is kept once.
+///
+/// Nearly all rows of a fine mesh belong to few runs, so that a row costs 4 bytes for each of its points.
+#[derive(Debug, Clone, Default, PartialEq)]
 struct StencilTable {
-    /// Of every row where it begins, and behind them the number of all entries.
-    first: Vec<u32>,
-    entries: Vec<(u32, f32)>,
+    runs: Vec<Run>,
+    /// The points of all rows.
+    indices: Vec<u32>,
+    rows: usize,
+    /// The weights of the row that is added.
+    weights: Vec<f32>,
 }
 
 impl StencilTable {
-    fn new() -> Self {
-        Self {
-            first: vec![0],
-            entries: vec![],
+    /// Adds the row of these weights of old points, and of points of faces.
+    fn push(
+        &mut self,
+        old: impl IntoIterator<Item = (u32, f32)>,
+        faces: impl IntoIterator<Item = (u32, f32)>,
+    ) {
+        let Self {
+            runs,
+            indices,
+            rows,
+            weights,
+        } = self;
+        weights.clear();
+        for (index, weight) in old {
+            indices.push(index);
+            weights.push(weight);
+        }
+        let old = weights.len();
+        for (index, weight) in faces {
+            indices.push(index);
+            weights.push(weight);
+        }
+        *rows += 1;
+        match runs.last_mut() {
+            Some(run) if run.old == old && run.weights == *weights => run.rows += 1,
+            _ => runs.push(Run {
+                weights: weights.clone(),
+                old,
+                rows: 1,
+            }),
         }
     }
 
-    fn push(&mut self, row: impl IntoIterator<Item = (u32, f32)>) {
-        self.entries.extend(row);
-        self.first.push(self.entries.len() as u32);
-    }
-
-    /// How many points the table makes.
-    fn rows(&self) -> usize {
-        self.first.len() - 1
-    }
-
-    /// Appends the point of every row to `points`.
-    fn extend<const D: usize>(&self, points: &mut Vec<[f32; D]>, old: &[[f32; D]]) {
-        points.extend(self.first.windows(2).map(|ends| {
-            let row = &self.entries[ends[0] as usize..ends[1] as usize];
-            let mut sum = [0.0; D];
-            for &(j, weight) in row {
-                let point = &old[j as usize];
-                for (sum, x) in sum.iter_mut().zip(point) {
-                    *sum += weight * x;
-                }
+    /// Writes the point of every row to `points`.
+    fn apply<const D: usize>(&self, sources: Sources<'_, D>, points: &mut [[f32; D]]) {
+        let (mut indices, mut points) = (self.indices.as_slice(), points);
+        for run in &self.runs {
+            let (own, rest) = indices.split_at(run.rows * run.weights.len());
+            let (now, later) = points.split_at_mut(run.rows);
+            // The usual sizes are known to the compiler: faces and edges, the boundary, and vertices of regular meshes.
+            match (run.old, run.weights.len()) {
+                (2, 2) => run.apply_sized::<2, 2, D>(own, sources, now),
+                (3, 3) => run.apply_sized::<3, 3, D>(own, sources, now),
+                (4, 4) => run.apply_sized::<4, 4, D>(own, sources, now),
+                (2, 4) => run.apply_sized::<2, 4, D>(own, sources, now),
+                (7, 7) => run.apply_sized::<7, 7, D>(own, sources, now),
+                (5, 9) => run.apply_sized::<5, 9, D>(own, sources, now),
+                _ => run.apply(own, sources, now),
             }
-            sum
-        }));
+            (indices, points) = (rest, later);
+        }
+    }
+}
+
+impl Run {
+    /// Rows with `ALL` points, `OLD` of them old.
+    fn apply_sized<const OLD: usize, const ALL: usize, const D: usize>(
+        &self,
+        indices: &[u32],
+        sources: Sources<'_, D>,
+        points: &mut [[f32; D]],
+    ) {
+        let Some(weights) = self.weights.first_chunk::<ALL>() else {
+            return;
+        };
+        for (point, row) in points.iter_mut().zip(indices.as_chunks::<ALL>().0) {
+            let mut sum = [0.0; D];
+            for k in 0..ALL {
+                let list = if k < OLD { sources.old } else { sources.faces };
+                add(&mut sum, weights[k], &list[row[k] as usize]);
+            }
+            *point = sum;
+        }
+    }
+
+    fn apply<const D: usize>(
+        &self,
+        indices: &[u32],
+        sources: Sources<'_, D>,
+        points: &mut [[f32; D]],
+    ) {
+        for (point, row) in points.iter_mut().zip(indices.chunks(self.weights.len())) {
+            let mut sum = [0.0; D];
+            for (k, (&j, &weight)) in row.iter().zip(&self.weights).enumerate() {
+                let list = if k < self.old {
+                    sources.old
+                } else {
+                    sources.faces
+                };
+                add(&mut sum, weight, &list[j as usize]);
+            }
+            *point = sum;
+        }
+    }
+}
+
+#[inline]
+fn add<const D: usize>(sum: &mut [f32; D], weight: f32, point: &[f32; D]) {
+    for (sum, x) in sum.iter_mut().zip(point) {
+        *sum += weight * x;
     }
 }
 
@@ -137,13 +230,18 @@ impl<const D: usize> StencilCascade<D> {
         before.clear();
         before.extend_from_slice(control);
         for Step { faces, others } in &self.steps {
-            let vertices = before.len();
-            after.clear();
-            faces.extend(after, before);
-            before.append(after);
-            after.reserve(others.rows() + faces.rows());
-            others.extend(after, before);
-            after.extend_from_slice(&before[vertices..]);
+            after.resize(others.rows + faces.rows, [0.0; D]);
+            let (other_points, face_points) = after.split_at_mut(others.rows);
+            let old = Sources {
+                old: before,
+                faces: &[],
+            };
+            faces.apply(old, face_points);
+            let both = Sources {
+                old: before,
+                faces: face_points,
+            };
+            others.apply(both, other_points);
             std::mem::swap(before, after);
         }
         Ok(before)
@@ -162,63 +260,66 @@ fn boundary_row(mesh: &HalfEdgeMesh, v: VertexId) -> [(u32, f32); 3] {
 }
 
 fn loop_step(mesh: &HalfEdgeMesh) -> Step {
-    let mut others = StencilTable::new();
+    let mut others = StencilTable::default();
     for v in mesh.vertices() {
         if mesh.is_boundary(v) {
-            others.push(boundary_row(mesh, v));
+            others.push(boundary_row(mesh, v), []);
             continue;
         }
         let valence = mesh.valence(v);
         // Cosines of all turns are numbers of this type.
         let beta = loop_beta::<f64>(valence).unwrap_or(f64::NAN);
         let own = (v.0, (1.0 - valence as f64 * beta) as f32);
-        others.push(std::iter::once(own).chain(mesh.neighbours(v).map(|w| (w.0, beta as f32))));
+        let neighbours = mesh.neighbours(v).map(|w| (w.0, beta as f32));
+        others.push(std::iter::once(own).chain(neighbours), []);
     }
     for e in mesh.edges() {
         let [a, b] = mesh.edge_vertices(e);
         if mesh.is_boundary_edge(e) {
-            others.push([(a.0, 0.5), (b.0, 0.5)]);
+            others.push([(a.0, 0.5), (b.0, 0.5)], []);
             continue;
         }
         let h = mesh.edge_half_edge(e);
         let [c, d] = [h, mesh.flip(h)].map(|h| mesh.origin(mesh.prev(h)));
-        others.push([(a.0, 0.375), (b.0, 0.375), (c.0, 0.125), (d.0, 0.125)]);
+        let row = [(a.0, 0.375), (b.0, 0.375), (c.0, 0.125), (d.0, 0.125)];
+        others.push(row, []);
     }
     Step {
-        faces: StencilTable::new(),
+        faces: StencilTable::default(),
         others,
     }
 }
 
 fn catmull_clark_step(mesh: &HalfEdgeMesh) -> Result<Step, SchemeError> {
-    let mut faces = StencilTable::new();
+    let mut faces = StencilTable::default();
     for f in mesh.faces() {
         let weight = 1.0 / mesh.face_degree(f) as f32;
-        faces.push(mesh.face_vertices(f).map(|v| (v.0, weight)));
+        faces.push(mesh.face_vertices(f).map(|v| (v.0, weight)), []);
     }
-    let vertices = mesh.vertex_count() as u32;
-    let middle = |h| mesh.face(h).map(|f| vertices + f.0);
-    let mut others = StencilTable::new();
+    let face = |h| mesh.face(h).map(|f| f.0);
+    let mut others = StencilTable::default();
     for v in mesh.vertices() {
         if mesh.is_boundary(v) {
-            others.push(boundary_row(mesh, v));
+            others.push(boundary_row(mesh, v), []);
             continue;
         }
         let valence = mesh.valence(v);
         check_inner_valence(v, valence)?;
         let k = valence as f64;
         let weight = (1.0 / (k * k)) as f32;
-        let ring = mesh.vertex_ring(v);
-        let beside = ring.flat_map(|h| [Some(mesh.destination(h).0), middle(h)]);
         let own = (v.0, ((k - 2.0) / k) as f32);
-        others.push(std::iter::once(own).chain(beside.flatten().map(|j| (j, weight))));
+        let neighbours = mesh.neighbours(v).map(|w| (w.0, weight));
+        let beside = mesh.vertex_ring(v).filter_map(face).map(|f| (f, weight));
+        others.push(std::iter::once(own).chain(neighbours), beside);
     }
     for e in mesh.edges() {
-        let [a, b] = mesh.edge_vertices(e);
+        let ends = mesh.edge_vertices(e).map(|v| v.0);
         let h = mesh.edge_half_edge(e);
-        match (middle(h), middle(mesh.flip(h))) {
-            (Some(c), Some(d)) => others.push([a.0, b.0, c, d].map(|j| (j, 0.25))),
-            _ => others.push([(a.0, 0.5), (b.0, 0.5)]),
+        match (face(h), face(mesh.flip(h))) {
+            (Some(c), Some(d)) => {
+                others.push(ends.map(|v| (v, 0.25)), [c, d].map(|f| (f, 0.25)));
+            }
+            _ => others.push(ends.map(|v| (v, 0.5)), []),
         }
     }
     Ok(Step { faces, others })
