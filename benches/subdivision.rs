@@ -2,11 +2,75 @@
 //!
 //! What was measured, and how to read it, is in `README.md` beside this file.
 
+use std::alloc::{GlobalAlloc, Layout, System};
 use std::hint::black_box;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cagd::affine::Point;
 use cagd::subdivision::{FastScheme, HalfEdgeMesh, Mesh, Refiner, StencilCascade, solids};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+
+/// The allocator of the system, which counts the bytes that are in use.
+struct Counting;
+
+static IN_USE: AtomicUsize = AtomicUsize::new(0);
+static PEAK: AtomicUsize = AtomicUsize::new(0);
+
+impl Counting {
+    fn more(bytes: usize) {
+        let now = IN_USE.fetch_add(bytes, Ordering::Relaxed) + bytes;
+        PEAK.fetch_max(now, Ordering::Relaxed);
+    }
+
+    fn less(bytes: usize) {
+        IN_USE.fetch_sub(bytes, Ordering::Relaxed);
+    }
+
+    /// What `work` returns, and how many bytes at once it used in addition to those before.
+    fn peak<R>(work: impl FnOnce() -> R) -> (R, usize) {
+        let before = IN_USE.load(Ordering::Relaxed);
+        PEAK.store(before, Ordering::Relaxed);
+        let result = work();
+        (result, PEAK.load(Ordering::Relaxed) - before)
+    }
+}
+
+#[expect(
+    unsafe_code,
+    reason = "an allocator is unsafe by its interface; every call goes on to that of the system as it is"
+)]
+// SAFETY: all memory comes from `System` with the same layout, and goes back to it.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        Self::more(layout.size());
+        // SAFETY: as the caller promises.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        Self::more(layout.size());
+        // SAFETY: as the caller promises.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        // Both blocks may be there while one is copied to the other.
+        Self::more(size);
+        // SAFETY: as the caller promises.
+        let moved = unsafe { System.realloc(memory, layout, size) };
+        Self::less(layout.size());
+        moved
+    }
+
+    unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
+        Self::less(layout.size());
+        // SAFETY: as the caller promises.
+        unsafe { System.dealloc(memory, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
 
 type Space = Mesh<Point<f64, 3>>;
 
@@ -48,6 +112,19 @@ fn name(scheme: FastScheme) -> &'static str {
 
 const SCHEMES: [FastScheme; 2] = [FastScheme::Loop, FastScheme::CatmullClark];
 
+/// How many bytes a mesh has: its points, three numbers a half-edge, one a vertex and one an edge.
+fn bytes(mesh: &HalfEdgeMesh) -> usize {
+    let numbers = 3 * mesh.half_edge_count() + mesh.vertex_count() + mesh.edge_count();
+    4 * numbers + 24 * mesh.vertex_count()
+}
+
+/// How many bytes a step reads and writes if every list is counted once: the old mesh, the result, and what is summed up
+/// around old vertices, which is written, added to and read; the new points once more when they are checked.
+fn bytes_moved(old: &HalfEdgeMesh, refined: &HalfEdgeMesh) -> usize {
+    let sums = 28 * old.vertex_count();
+    bytes(old) + bytes(refined) + 3 * sums + 24 * refined.vertex_count()
+}
+
 /// Lists as long as those of a refined mesh.
 struct Output {
     half_edges: [Vec<u32>; 3],
@@ -65,12 +142,6 @@ impl Output {
             edge_half_edge: vec![0; mesh.edge_count()],
             points: vec![[0.0; 3]; mesh.vertex_count()],
         }
-    }
-
-    fn bytes(&self) -> usize {
-        let numbers =
-            3 * self.half_edges[0].len() + self.vertex_half_edge.len() + self.edge_half_edge.len();
-        4 * numbers + 24 * self.points.len()
     }
 
     /// Writes every number once, in order.
@@ -99,9 +170,9 @@ fn step(c: &mut Criterion) {
         let faces = refined.face_count();
         let mut output = Output::like(&refined);
         println!(
-            "{} faces, {:.1} bytes a face",
-            faces,
-            output.bytes() as f64 / faces as f64
+            "{faces} faces; a face has {:.1} bytes, and {:.1} are moved for it",
+            bytes(&refined) as f64 / faces as f64,
+            bytes_moved(old.connectivity(), &refined) as f64 / faces as f64
         );
         drop(refined);
         group
@@ -259,5 +330,39 @@ fn stencils(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, step, all_steps, sizes, stencils);
+/// The memory that is in use at once, beside the bytes of the result: at most three times as much.
+fn memory(_: &mut Criterion) {
+    for scheme in SCHEMES {
+        let steps = if scheme == FastScheme::Loop { 8 } else { 9 };
+        let [start, old] = [0, steps - 1].map(|steps| ball(scheme, steps));
+        let report = |what: &str, peak: usize, refined: &HalfEdgeMesh| {
+            let ratio = peak as f64 / bytes(refined) as f64;
+            println!(
+                "{}, {what}: {ratio:.2} times the result in use",
+                name(scheme)
+            );
+            assert!(ratio <= 3.0, "{what} needs too much memory");
+        };
+        let lists = old.connectivity().face_lists();
+        let (refined, peak) = Counting::peak(|| {
+            let mesh = Mesh::from_faces(old.points().to_vec(), &lists).expect("a mesh");
+            let mut refiner = Refiner::new(scheme);
+            refiner.refine(&mesh, 1).expect("a mesh");
+            refiner
+        });
+        let refined = refined.levels()[0].connectivity().clone();
+        report(
+            "one step from lists, the mesh of the lists included",
+            peak,
+            &refined,
+        );
+        for (what, mesh, steps) in [("one step", &old, 1), ("all steps", &start, steps)] {
+            let mut refiner = Refiner::new(scheme);
+            let (_, peak) = Counting::peak(|| refiner.refine(mesh, steps).map(|_| ()));
+            report(what, peak, &refined);
+        }
+    }
+}
+
+criterion_group!(benches, memory, step, all_steps, sizes, stencils);
 criterion_main!(benches);
