@@ -6,7 +6,7 @@ use num_traits::Zero;
 
 use super::subdivision_matrix::SubdivisionMatrix;
 use crate::affine::Point;
-use crate::scalar::Complex64;
+use crate::scalar::{Complex64, Scalar};
 
 /// An eigenvalue of a subdivision matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +61,7 @@ impl Spectrum {
                 })
             })
             .collect();
-        eigenvalues.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
+        eigenvalues.sort_by(|a, b| b.value.magnitude().total_cmp(&a.value.magnitude()));
         Self { eigenvalues }
     }
 
@@ -76,7 +76,9 @@ impl Spectrum {
     pub fn subdominant(&self) -> Eigenvalue {
         let second = self.eigenvalues[1];
         let twin = self.eigenvalues[2];
-        if twin.frequency < second.frequency && (twin.value - second.value.conj()).norm() < SAME {
+        if twin.frequency < second.frequency
+            && (twin.value - second.value.conj()).magnitude() < SAME
+        {
             twin
         } else {
             second
@@ -90,12 +92,12 @@ impl Spectrum {
     #[must_use]
     pub fn has_subdominant_pair(&self) -> bool {
         let [one, first, second, third] = [0, 1, 2, 3].map(|i: usize| self.eigenvalues[i].value);
-        (one - 1.0).norm() < SAME
-            && (first - second).norm() < SAME
+        (one - 1.0).magnitude() < SAME
+            && (first - second).magnitude() < SAME
             && first.im.abs() < SAME
             && first.re > SAME
             && first.re < 1.0 - SAME
-            && third.norm() < first.re - SAME
+            && third.magnitude() < first.re - SAME
     }
 }
 
@@ -171,7 +173,7 @@ pub fn eigenvector(matrix: &SubdivisionMatrix<f64>, eigenvalue: Eigenvalue) -> V
         }
     }
     let first = vector[shown];
-    let vector = if first.norm() > SAME {
+    let vector = if first.magnitude() > SAME {
         vector / first
     } else {
         vector
