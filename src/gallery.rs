@@ -15,7 +15,26 @@ pub const PARTS: &[(&str, Figures)] = &[
     ("bezier-construction", bezier::figures::construction),
     ("bezier-shape", bezier::figures::shape_and_derivatives),
     ("bezier-distances", bezier::figures::distances),
-    ("subdivision", subdivision::figures::all),
+    (
+        "subdivision-polygons",
+        subdivision::figures::polygons_and_meshes,
+    ),
+    (
+        "subdivision-four-point",
+        subdivision::figures::four_point_curves,
+    ),
+    ("subdivision-tension", subdivision::figures::tension),
+    ("subdivision-masks", subdivision::figures::masks),
+    ("subdivision-loop", subdivision::figures::loop_surfaces),
+    (
+        "subdivision-butterfly",
+        subdivision::figures::butterfly_surfaces,
+    ),
+    (
+        "subdivision-quadrilaterals",
+        subdivision::figures::quadrilaterals,
+    ),
+    ("subdivision-eigenvalues", subdivision::figures::eigenvalues),
 ];
 
 /// All figures, chapter by chapter.

@@ -5,23 +5,23 @@ use std::collections::BTreeMap;
 use cagd::figure::{Figure, LawReading, ParameterKind, Plot};
 use cagd::gallery;
 
-/// Live figures without a law: what they show is no equation or inequality, but a comparison by eye.
+/// Live figures without a law, since what they show is no equation or inequality.
 const WITHOUT_LAW: [&str; 4] = [
+    // Two sets of coefficients of one cubic, compared by eye.
     "bezier-motivation",
+    // What a curve does not do, which is seen.
     "bezier-disadvantages",
+    // That ratios are not kept: a law would have to fail.
     "affine-central-projection-not-affine",
+    // A definition, with a set of either kind.
     "affine-figure-convex",
 ];
 
 fn with_laws() -> Vec<Figure> {
     let is_live = |figure: &Figure| !figure.parameters().is_empty();
-    let named = |figure: &Figure| {
-        let id = figure.id();
-        (id.starts_with("affine-") || id.starts_with("bezier-")) && !WITHOUT_LAW.contains(&id)
-    };
     gallery::all()
         .into_iter()
-        .filter(|figure| is_live(figure) && named(figure))
+        .filter(|figure| is_live(figure) && !WITHOUT_LAW.contains(&figure.id()))
         .collect()
 }
 
@@ -275,6 +275,58 @@ const SPECIAL: &[(&str, &str, &str)] = &[
     ),
     ("affine-map-properties", "P=1,1&Q=1,1", "no ratio"),
     ("affine-figure-shear", "a=0", "identity"),
+    ("subdivision-figure-half-edge", "h=15", "no face"),
+    (
+        "subdivision-approximating-interpolating",
+        "p=1,1;1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    (
+        "subdivision-figure-chaikin",
+        "p=1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    (
+        "subdivision-chaikin-convergence",
+        "p=1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    (
+        "subdivision-figure-lane-riesenfeld",
+        "p=1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    (
+        "subdivision-cubic-curve",
+        "p=1,1;1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    (
+        "subdivision-limit-stencils",
+        "p=1,1;1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    ("subdivision-figure-four-point", "w=0", "middle of its leg"),
+    (
+        "subdivision-figure-four-point",
+        "p=1,1;1,1;1,1;1,1;1,1;1,1",
+        "in one place",
+    ),
+    ("subdivision-four-point-tension", "w=0", "middle of its leg"),
+    ("subdivision-four-point-tension", "w=0.2", "not C¹"),
+    ("subdivision-four-point-analysis", "w=0.1", "two factors"),
+    ("subdivision-figure-precision", "a=1,1;1,1", "no line"),
+    ("subdivision-creases", "top=0", "No edge is sharp"),
+    (
+        "subdivision-creases",
+        "bottom=1&sides=1&top=1",
+        "the cube remains",
+    ),
+    (
+        "subdivision-characteristic-map",
+        "scheme=6&k=9",
+        "covers itself",
+    ),
 ];
 
 #[test]

@@ -3,8 +3,8 @@
 use super::loop_scheme::{KNOB, mean, painted, spoke};
 use crate::figure::{Figure, Place, PointStyle, Style, View, decimal};
 use crate::subdivision::{
-    Butterfly, SurfaceScheme, butterfly_centre_weight, butterfly_star_weights, butterfly_weights,
-    solids,
+    Butterfly, Fan, FanNet, SurfaceScheme, butterfly_centre_weight, butterfly_star_weights,
+    butterfly_weights, laws, solids,
 };
 
 pub(super) fn all() -> Vec<Figure> {
@@ -96,6 +96,15 @@ pub fn figure_butterfly_special() -> Figure {
         let labels: Vec<_> = labels.collect();
         canvas.stencil("new point", labels, mean(&terms)?);
         canvas.caption(&format!("$k = {k}$"));
+        let fan = Fan::new(FanNet::Triangles, 6, 2)?;
+        let regular = |data: &[f64]| {
+            let refined = fan.refine(&Butterfly::MODIFIED, data);
+            refined.unwrap_or_default()
+        };
+        canvas.law(
+            "subdivision-modified-butterfly-properties",
+            &laws::modified_butterfly_properties(butterfly_star_weights, regular, k),
+        );
         Ok(())
     })
 }
@@ -120,6 +129,10 @@ pub fn figure_butterfly_result() -> Figure {
         let seen = icosahedron.points().iter().filter(|p| view.seen(p)[2] > 0.0);
         let places: Vec<Place> = seen.map(|p| view.place(p)).collect();
         canvas.points("vertices", places, PointStyle::Result);
+        canvas.law(
+            "subdivision-modified-butterfly",
+            &laws::modified_butterfly(|mesh| Butterfly::MODIFIED.refine(mesh), &icosahedron),
+        );
         Ok(())
     })
 }

@@ -114,6 +114,10 @@ pub fn figure_catmull_clark() -> Figure {
             steps => format!("the cube after {steps} steps"),
         });
         canvas.surface("surface", &view, &closed_surface(&cube, steps));
+        canvas.law(
+            "subdivision-catmull-clark",
+            &laws::catmull_clark(|mesh| CatmullClark.refine(mesh), &solids::cube::<f64>()),
+        );
         Ok(())
     })
 }
@@ -203,6 +207,21 @@ pub fn creases() -> Figure {
             .filter(|&e| chosen[kind(&body, e)] == 1)
             .collect();
         let mut creases = Creases::new(mesh, sharp, [])?;
+        canvas.law(
+            "subdivision-creases",
+            &laws::creases(
+                |mesh, creases| CatmullClark.refine_creased(mesh, creases),
+                &body,
+                &creases,
+            ),
+        );
+        match chosen {
+            [0, 0, 0] => canvas.remark("No edge is sharp: the rules are those of Catmull and Clark."),
+            [1, 1, 1] => canvas.remark(
+                "All edges are sharp: three of them meet in each vertex, so all vertices are corners, which stay; the cube remains.",
+            ),
+            _ => {}
+        }
         let steps = values.count("steps")?;
         for _ in 0..steps {
             (body, creases) = CatmullClark.refine_creased(&body, &creases)?;

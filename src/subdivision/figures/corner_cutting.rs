@@ -1,10 +1,11 @@
 //! Figures of the section on corner cutting.
 
+use crate::affine::Affine;
 use crate::affine::Point;
 use crate::bezier::bounds::euclidean_norm;
 use crate::bspline::UniformSpline;
 use crate::figure::{Axes, BoxError, Canvas, Figure, Place, PointStyle, Style};
-use crate::subdivision::{ControlPolygon, Mask};
+use crate::subdivision::{ControlPolygon, ControlPolygonError, Mask, SchemeKind, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -36,6 +37,22 @@ pub(super) fn draw_spline(canvas: &mut Canvas, name: &str, spline: &UniformSplin
         spline.at(inside).unwrap_or(spline.control_points()[0])
     };
     canvas.curve(name, domain.start()..=domain.end(), at, Style::Curve);
+}
+
+/// A step as the laws want it: what cannot be refined stays, and the law is violated.
+pub(super) fn stepped<P: Affine>(
+    step: impl Fn(&ControlPolygon<P>) -> Result<ControlPolygon<P>, ControlPolygonError>,
+) -> impl Fn(&ControlPolygon<P>) -> ControlPolygon<P> {
+    move |polygon| step(polygon).unwrap_or_else(|_| polygon.clone())
+}
+
+/// Says so where all vertices of the polygon are in one place.
+pub(super) fn remark_on_one_place(canvas: &mut Canvas, points: &[Place]) {
+    if points.windows(2).all(|leg| leg[0] == leg[1]) {
+        canvas.remark(
+            "All points are in one place. The weights of every rule sum to 1, so all new points are in this place, too.",
+        );
+    }
 }
 
 /// The polygon after `steps` steps of Chaikin's algorithm.
@@ -81,6 +98,20 @@ pub fn approximating_interpolating() -> Figure {
             draw_polygon(canvas, "polygon", &given, Style::Guide);
             canvas.points("vertices", given.vertices(), PointStyle::Control);
         }
+        let across = ControlPolygon::closed(given.vertices().iter().map(|p| p[0]))?;
+        let kinds = [SchemeKind::Approximating, SchemeKind::Interpolating { first: 0 }];
+        for (panel, kind) in std::iter::zip(PANELS, kinds) {
+            canvas.panel(panel);
+            let step = stepped(|polygon: &ControlPolygon<f64>| match kind {
+                SchemeKind::Approximating => polygon.chaikin(),
+                SchemeKind::Interpolating { .. } => polygon.four_point(0.0625),
+            });
+            canvas.law(
+                "subdivision-approximating-interpolating",
+                &laws::approximating_interpolating(step, kind, &across, [2.0, 1.0]),
+            );
+        }
+        remark_on_one_place(canvas, given.vertices());
         Ok(())
     })
 }
@@ -125,6 +156,10 @@ pub fn figure_chaikin() -> Figure {
                 canvas.labels("p", given.vertices());
             }
         }
+        canvas.panel(PANELS[0]);
+        let step = stepped(ControlPolygon::chaikin);
+        canvas.law("subdivision-chaikin", &laws::chaikin(step, &given));
+        remark_on_one_place(canvas, given.vertices());
         Ok(())
     })
 }
@@ -183,6 +218,11 @@ pub fn chaikin_convergence() -> Figure {
         canvas.points("measured", measured, PointStyle::Result);
         canvas.legend_point("measured", PointStyle::Result);
         canvas.legend("the formula", Style::Guide);
+        canvas.law(
+            "subdivision-chaikin-convergence",
+            &laws::chaikin_convergence(stepped(ControlPolygon::chaikin), &given, STEPS),
+        );
+        remark_on_one_place(canvas, given.vertices());
         Ok(())
     })
 }
@@ -250,6 +290,10 @@ pub fn figure_lane_riesenfeld() -> Figure {
                 canvas.labels("p", given.vertices());
             }
         }
+        canvas.panel(PANELS[3]);
+        let step = |polygon: &Polygon, n| stepped(|p: &Polygon| p.lane_riesenfeld(n))(polygon);
+        canvas.law("subdivision-lane-riesenfeld", &laws::lane_riesenfeld(step, &given, n));
+        remark_on_one_place(canvas, given.vertices());
         Ok(())
     })
 }

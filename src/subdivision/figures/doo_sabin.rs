@@ -2,7 +2,7 @@
 
 use super::catmull_clark::{closed_surface, edges};
 use crate::figure::{Figure, Place, PointStyle, Style, View};
-use crate::subdivision::{DooSabin, Mesh, SurfaceScheme, solids};
+use crate::subdivision::{DooSabin, Mesh, SurfaceScheme, laws, solids};
 
 const KNOB: f64 = 2.2;
 
@@ -36,7 +36,9 @@ pub fn figure_doo_sabin() -> Figure {
         canvas.panel("mesh");
         canvas.caption("one step in the plane");
         edges(canvas, "edge", mesh, &places);
-        let refined = DooSabin.refine(&Mesh::new(mesh.clone(), places.clone())?)?;
+        let given = Mesh::new(mesh.clone(), places.clone())?;
+        let refined = DooSabin.refine(&given)?;
+        canvas.law("subdivision-doo-sabin", &laws::doo_sabin(|mesh| DooSabin.refine(mesh), &given));
         let inner_edges = mesh.edges().filter(|&e| !mesh.is_boundary_edge(e)).count();
         for f in refined.connectivity().faces() {
             let corners: Vec<Place> = refined.face_points(f).copied().collect();

@@ -1,23 +1,20 @@
 //! Figures of the section on the four-point scheme.
 
+use super::corner_cutting::remark_on_one_place;
 use crate::affine::Point;
 use crate::figure::{Axes, BoxError, Canvas, Figure, Place, PointStyle, Style, decimal};
 use crate::scalar::{BigRational, OrderedScalar, Real, Scalar, exact};
 use crate::subdivision::{
-    ControlPolygon, Mask, MaskError, critical_tension, four_point_differences,
+    ControlPolygon, LaurentPolynomial, LocalMatrix, Mask, MaskError, critical_tension,
+    four_point_differences, laws,
 };
 
-pub(super) fn all() -> Vec<Figure> {
-    vec![
-        figure_four_point(),
-        four_point_convergence(),
-        four_point_tension(),
-        four_point_analysis(),
-        figure_precision(),
-    ]
-}
-
 const SIXTEENTH: f64 = 1.0 / 16.0;
+
+/// A slider's number to four digits, as a fraction: exact numbers get longer with each step of a scheme.
+pub(super) fn short_fraction(x: f64) -> BigRational {
+    <BigRational as Scalar>::from_ratio(libm::round(x * 1e4) as i64, 10_000)
+}
 
 /// The vertices of a polygon, the first once more at the end if it is closed.
 fn outline(polygon: &ControlPolygon<Place>) -> Vec<Place> {
@@ -87,6 +84,15 @@ pub fn figure_four_point() -> Figure {
         let beyond = phantoms.vertices();
         let ends = [&beyond[..2], &beyond[beyond.len() - 2..]].concat();
         canvas.points("phantom points", ends, PointStyle::Guide);
+        canvas.panel(PANELS[0]);
+        canvas.law(
+            "subdivision-four-point-scheme",
+            &laws::four_point_scheme(ControlPolygon::four_point, &closed, w),
+        );
+        if w == 0.0 {
+            canvas.remark("w = 0: each new point is the middle of its leg. The polygon stays as it is, with its corners.");
+        }
+        remark_on_one_place(canvas, &points);
         Ok(())
     })
 }
@@ -148,6 +154,15 @@ pub fn four_point_convergence() -> Figure {
         canvas.segment("line", [0.0, -2.0], [6.0, -11.0], Style::Guide);
         canvas.points("second differences", scaled, PointStyle::Result);
         canvas.legend("$-2-3k/2$", Style::Guide);
+        // The data of the picture, and any cubic beside them.
+        canvas.law(
+            "subdivision-four-point-convergence",
+            &laws::four_point_convergence(
+                ControlPolygon::four_point,
+                &[1.0, -2.0, 0.5, 0.25],
+                steps as u32,
+            ),
+        );
         Ok(())
     })
 }
@@ -207,6 +222,18 @@ pub fn four_point_tension() -> Figure {
         canvas.polyline("w = 1/16", outline(&usual), Style::SecondCurve);
         canvas.polyline("chosen curve", outline(&refined(&polygon, 5, step(w))?), Style::Curve);
         canvas.labels("p", polygon.vertices());
+        if w > 0.0 {
+            let exactly = exact(w).ok_or("a finite tension")?;
+            canvas.law(
+                "subdivision-four-point-tension",
+                &laws::four_point_tension(|w| Mask::four_point(w).ok(), &exactly),
+            );
+            if w > limit {
+                canvas.remark("w is beyond the vertical line: no number of steps has a norm below 1, and the limit is not C¹.");
+            }
+        } else {
+            canvas.remark("w = 0: each new point is the middle of its leg. The norms are 1, and the limit is the polygon with its corners.");
+        }
         Ok(())
     })
 }
@@ -224,7 +251,7 @@ pub fn four_point_analysis() -> Figure {
     .draw(|values, canvas| {
         canvas.axes(Axes::new("steps L", "norm").logarithmic().whole());
         // Whether a factor 1 + z can be divided off is decided by exact numbers.
-        let w = exact(values.number("w")?).ok_or("a finite tension")?;
+        let w = short_fraction(values.number("w")?);
         let mask = Mask::four_point(w)?;
         for order in 0..=2 {
             // For C² two more factors 1 + z are needed, which only w = 1/16 has.
@@ -235,6 +262,17 @@ pub fn four_point_analysis() -> Figure {
             canvas.legend(&format!("$C^{order}$"), Style::Series(order));
         }
         canvas.segment("one", [1.0, 1.0], [8.0, 1.0], Style::Guide);
+        // The law is about w = 1/16, and about any data: here the number 1 among zeros.
+        canvas.law(
+            "subdivision-four-point-analysis",
+            &laws::four_point_analysis(Mask::norm, LocalMatrix::of, &LaurentPolynomial::one()),
+        );
+        if values.number("w")? != SIXTEENTH {
+            canvas.remark(
+                "w is not 1/16: the symbol has two factors 1 + z and no more, so that there is no scheme for the second differences. \
+                 What is said of norms and eigenvalues below is about w = 1/16.",
+            );
+        }
         Ok(())
     })
 }
@@ -308,6 +346,20 @@ pub fn figure_precision() -> Figure {
         canvas.polyline("from the line", along(outline(&refined_line), &from_line), Style::SecondCurve);
         canvas.legend("from the circle", Style::Curve);
         canvas.legend("from the line", Style::SecondCurve);
+        canvas.panel(PANELS[0]);
+        canvas.law(
+            "subdivision-linear-precision",
+            &laws::linear_precision(
+                |mask, points| mask.refine_closed(points).ok(),
+                |mask, numbers| mask.refine_closed(numbers).ok(),
+                &Mask::four_point(SIXTEENTH)?,
+                &[start, end],
+                &places,
+            ),
+        );
+        if start == end {
+            canvas.remark("Both ends are in one place, which is no line: all points are there, and stay there.");
+        }
         Ok(())
     })
 }

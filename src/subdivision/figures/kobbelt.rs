@@ -2,7 +2,7 @@
 
 use super::catmull_clark::{edges, fraction};
 use crate::figure::{Figure, Place, PointStyle, Style};
-use crate::subdivision::{kobbelt_weights, solids};
+use crate::subdivision::{Kobbelt, SurfaceScheme, kobbelt_weights, laws, solids};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![figure_kobbelt()]
@@ -77,6 +77,12 @@ pub fn figure_kobbelt() -> Figure {
                 PointStyle::Result,
             );
         }
+        // The law is about closed grids: the points repeat with period 4 in both directions.
+        canvas.panel(WAYS[0]);
+        canvas.law(
+            "subdivision-kobbelt",
+            &laws::kobbelt_tensor_product(|mesh| Kobbelt.refine(mesh), 4, 4, &points),
+        );
         Ok(())
     })
 }

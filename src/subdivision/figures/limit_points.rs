@@ -1,9 +1,11 @@
 //! Figures of the section on limit points.
 
+use super::corner_cutting::remark_on_one_place;
 use crate::affine::Point;
+use crate::bspline::uniform_b_spline;
 use crate::figure::{Figure, PointStyle, Style};
-use crate::scalar::{BigRational, Scalar};
-use crate::subdivision::Mask;
+use crate::scalar::{BigRational, Scalar, exact};
+use crate::subdivision::{LaurentPolynomial, Mask, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![limit_stencils()]
@@ -55,6 +57,19 @@ pub fn limit_stencils() -> Figure {
         }
         canvas.points("limit points", limits, PointStyle::Result);
         canvas.labels("p", &points);
+        // What is known of the limit otherwise: it is a spline, or it interpolates.
+        let whole = <BigRational as Scalar>::from_integer;
+        let known = |j: i64| match scheme {
+            1..=3 => uniform_b_spline(scheme + 1, whole(-j)),
+            _ => whole(i64::from(j == 0)),
+        };
+        let across: Option<Vec<BigRational>> = points.iter().map(|p| exact(p[0])).collect();
+        let across = LaurentPolynomial::new(0, across.ok_or("finite points")?);
+        canvas.law(
+            "subdivision-limit-stencils",
+            &laws::limit_stencils(|mask| mask.limit_stencil(0).ok(), &mask, known, &across),
+        );
+        remark_on_one_place(canvas, &points);
         Ok(())
     })
 }

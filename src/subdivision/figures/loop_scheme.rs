@@ -3,7 +3,8 @@
 use crate::affine::{Affine, Point};
 use crate::figure::{BoxError, Figure, Place, PointStyle, Style, Surface, View, decimal};
 use crate::subdivision::{
-    Creases, Loop, Mesh, SurfaceScheme, VertexId, loop_beta, loop_edge_weights, solids,
+    Creases, Loop, Mesh, SurfaceScheme, VertexId, box_spline_222, laws, loop_beta,
+    loop_edge_weights, loop_lattice_mask, solids,
 };
 
 pub(super) fn all() -> Vec<Figure> {
@@ -78,6 +79,11 @@ pub fn figure_loop() -> Figure {
             .collect();
         let labels = terms.iter().map(|(weight, place)| (*place, decimal(*weight, 3)));
         canvas.stencil("vertex point", labels, mean(&terms)?);
+        let star = Mesh::new(
+            solids::triangle_fan(k),
+            terms.iter().map(|(_, p)| Point::new([p[0], p[1], 0.0])).collect(),
+        )?;
+        canvas.law("subdivision-loop", &laws::loop_rules(|mesh| Loop.refine(mesh), &star));
 
         canvas.panel(PANELS[2]);
         let steps = values.count("steps")?;
@@ -125,6 +131,15 @@ pub fn loop_limit() -> Figure {
             canvas.arrow(&format!("normal at {v}"), view.place(&limit), view.place(&tip), Style::Tangent);
             canvas.point(&format!("limit of {v}"), view.place(&limit), PointStyle::Result);
         }
+        canvas.law(
+            "subdivision-loop-limit",
+            &laws::loop_limit(
+                |mesh| Loop.refine(mesh),
+                |mesh, v| Loop.limit_point(mesh, v),
+                |mesh, v| Loop.limit_tangents(mesh, v),
+                &octahedron,
+            ),
+        );
         Ok(())
     })
 }
@@ -179,6 +194,10 @@ pub fn loop_box_spline() -> Figure {
         canvas.surface("graph", &view, &Surface::new(points, connectivity.face_lists()));
         canvas.point("top", view.place(&top), PointStyle::Result);
         canvas.label("M(0) = 1/2", view.place(&top));
+        canvas.law(
+            "subdivision-loop-box-spline",
+            &laws::loop_box_spline(&loop_lattice_mask()?, box_spline_222, &[0.25, 0.5]),
+        );
         Ok(())
     })
 }

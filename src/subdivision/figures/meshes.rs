@@ -2,7 +2,7 @@
 
 use crate::affine::{Point, Vector};
 use crate::figure::{Figure, Side, Style, midpoint};
-use crate::subdivision::{HalfEdgeId, HalfEdgeMesh, Mesh};
+use crate::subdivision::{HalfEdgeId, HalfEdgeMesh, Mesh, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![figure_half_edge()]
@@ -84,7 +84,14 @@ pub fn figure_half_edge() -> Figure {
             let sum: Vector<f64, 2> = corners.iter().map(Point::from_origin).sum();
             let middle = Point::origin() + sum / corners.len() as f64;
             canvas.text("face of h", "f", middle, Side::Centre);
+        } else {
+            canvas.remark("h has no face: it runs along the boundary, and its next and previous half-edge, too.");
         }
+        let faces = FACES.map(<[u32]>::to_vec);
+        canvas.law(
+            "subdivision-half-edge",
+            &laws::half_edge::<f64>(|_, _| connectivity.tables(), 6, &faces, 1),
+        );
         Ok(())
     })
 }

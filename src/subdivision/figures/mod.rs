@@ -28,24 +28,62 @@ pub use uniform_splines::*;
 
 use crate::figure::Figure;
 
-/// All figures of this chapter.
+/// The figures on polygons that are averaged, on uniform splines and on meshes.
 #[must_use]
-pub fn all() -> Vec<Figure> {
-    [
-        butterfly::all(),
-        catmull_clark::all(),
-        corner_cutting::all(),
-        doo_sabin::all(),
-        eigenstructure::all(),
-        four_point::all(),
-        kobbelt::all(),
-        limit_points::all(),
-        loop_scheme::all(),
-        meshes::all(),
-        symbols::all(),
-        uniform_splines::all(),
+pub fn polygons_and_meshes() -> Vec<Figure> {
+    joined([corner_cutting::all(), meshes::all(), uniform_splines::all()])
+}
+
+/// The figures on the curves of the four-point scheme.
+#[must_use]
+pub fn four_point_curves() -> Vec<Figure> {
+    vec![
+        figure_four_point(),
+        four_point_convergence(),
+        figure_precision(),
     ]
-    .into_iter()
-    .flatten()
-    .collect()
+}
+
+/// The figure on the tension of the four-point scheme.
+#[must_use]
+pub fn tension() -> Vec<Figure> {
+    vec![four_point_tension()]
+}
+
+/// The figures on masks, their norms and their limits.
+#[must_use]
+pub fn masks() -> Vec<Figure> {
+    joined([
+        limit_points::all(),
+        symbols::all(),
+        vec![four_point_analysis()],
+    ])
+}
+
+/// The figures on Loop's scheme.
+#[must_use]
+pub fn loop_surfaces() -> Vec<Figure> {
+    loop_scheme::all()
+}
+
+/// The figures on the Butterfly scheme.
+#[must_use]
+pub fn butterfly_surfaces() -> Vec<Figure> {
+    butterfly::all()
+}
+
+/// The figures on the schemes for quadrilaterals.
+#[must_use]
+pub fn quadrilaterals() -> Vec<Figure> {
+    joined([catmull_clark::all(), doo_sabin::all(), kobbelt::all()])
+}
+
+/// The figures on eigenvalues.
+#[must_use]
+pub fn eigenvalues() -> Vec<Figure> {
+    eigenstructure::all()
+}
+
+fn joined<const N: usize>(sections: [Vec<Figure>; N]) -> Vec<Figure> {
+    sections.into_iter().flatten().collect()
 }

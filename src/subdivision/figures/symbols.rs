@@ -1,8 +1,9 @@
 //! Figures of the section on masks and symbols.
 
+use super::four_point::short_fraction;
 use crate::figure::{Axes, Figure, PointStyle, Style};
-use crate::scalar::{BigRational, OrderedScalar, Scalar, exact};
-use crate::subdivision::{Mask, MaskError};
+use crate::scalar::{BigRational, OrderedScalar, Scalar};
+use crate::subdivision::{LaurentPolynomial, Mask, MaskError, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![difference_scheme()]
@@ -40,7 +41,7 @@ pub fn difference_scheme() -> Figure {
     .draw(|values, canvas| {
         canvas.axes(Axes::new("steps k", "distance").logarithmic().whole());
         // Whether a factor 1 + z can be divided off is decided by exact numbers.
-        let w = exact(values.number("w")?).ok_or("a finite tension")?;
+        let w = short_fraction(values.number("w")?);
         let schemes = [
             ("Chaikin", Mask::lane_riesenfeld(2)),
             ("cubic", Mask::lane_riesenfeld(3)),
@@ -70,6 +71,17 @@ pub fn difference_scheme() -> Figure {
             canvas.legend_point(&shown, PointStyle::Level(series + 1));
             canvas.legend(&format!("bound: {shown}"), Style::Series(series));
         }
+        let [.., (_, four_point)] = &schemes;
+        canvas.law(
+            "subdivision-difference-scheme",
+            &laws::difference_scheme(
+                Mask::difference_scheme,
+                Mask::norm,
+                four_point,
+                &LaurentPolynomial::one(),
+                2,
+            ),
+        );
         Ok(())
     })
 }

@@ -1,8 +1,8 @@
 //! Figures of the section on uniform splines.
 
-use super::corner_cutting::{draw_polygon, draw_spline};
+use super::corner_cutting::{draw_polygon, draw_spline, remark_on_one_place, stepped};
 use crate::figure::{Figure, PointStyle, Style};
-use crate::subdivision::ControlPolygon;
+use crate::subdivision::{ControlPolygon, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![cubic_curve()]
@@ -59,6 +59,9 @@ pub fn cubic_curve() -> Figure {
             );
             canvas.point(&format!("limit {i}"), point, PointStyle::OnCurve);
         }
+        let step = stepped(ControlPolygon::cubic_step);
+        canvas.law("subdivision-cubic-curve", &laws::cubic_curve(step, &given));
+        remark_on_one_place(canvas, given.vertices());
         Ok(())
     })
 }
