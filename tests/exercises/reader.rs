@@ -66,6 +66,7 @@ impl Reader {
             .env_remove("LC_ALL")
             .env_remove("NO_COLOR")
             .env_remove("CLICOLOR_FORCE")
+            .env_remove("COLUMNS")
             .env_remove("CARGO_MANIFEST_DIR");
         command
     }

@@ -232,6 +232,14 @@ pub struct Exercise {
 }
 
 impl Exercise {
+    /// The pack that holds it, as it was named; `None` for an exercise of the book.
+    pub fn pack(&self) -> Option<&Path> {
+        let is_of_the_book = self.folder.starts_with(collection::FOLDER);
+        // Above the folder are those of the chapter and of the pack.
+        let above = self.folder.ancestors().nth(2);
+        above.filter(|_| !is_of_the_book)
+    }
+
     /// The file with the task.
     pub fn file(&self) -> PathBuf {
         self.folder.join("exercise.md")

@@ -14,7 +14,7 @@ use crate::workbook::feedback::patience::patiently;
 use crate::workbook::feedback::report::{command, described};
 use crate::workbook::feedback::{braille, markdown, picture, terminal};
 use crate::workbook::practice::check::keep_picture;
-use crate::workbook::practice::{self, shown};
+use crate::workbook::practice::{self, shown, typed};
 use crate::workbook::progress::Progress;
 use crate::workbook::sandbox::Isolation;
 
@@ -51,9 +51,10 @@ impl Check {
             return super::explain::check(&desk, exercise, self.done, self.json);
         };
         if self.done {
+            let name = &exercise.name;
             return Err(PracticeError::Unfit(format!(
-                "`{}` is judged by its tests; `--done` is for explanations\nnext step: `cargo run -- check {0}`",
-                exercise.name
+                "`{name}` is judged by its tests; `--done` is for explanations\nnext step: `cargo run -- {}`",
+                typed(&format!("check {name}"), exercise)
             )));
         }
         let verdict = check(&desk, exercise, tested, &checker(&desk)?)?;
@@ -64,7 +65,7 @@ impl Check {
                 &desk,
                 exercise,
                 &verdict,
-                &format!(", then {}", command("check")),
+                &format!(", then {}", command(&typed("check", exercise))),
             )?)?;
         }
         Ok(if verdict.passed() {
@@ -130,7 +131,10 @@ pub(super) fn feedback(
     ));
     let left = exercise.document.hints.len().saturating_sub(entry.hints);
     if left > 0 {
-        text.push_str(&format!("           or take a hint: {}\n", command("hint")));
+        text.push_str(&format!(
+            "           or take a hint: {}\n",
+            command(&typed("hint", exercise))
+        ));
     }
     Ok(text)
 }

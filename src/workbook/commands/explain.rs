@@ -8,7 +8,7 @@ use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{CODE, FAINT, GOOD, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
-use crate::workbook::practice::{check::compare, shown};
+use crate::workbook::practice::{check::compare, shown, typed};
 
 /// Shows the checklist, or marks the exercise as done.
 pub(super) fn check(
@@ -42,8 +42,8 @@ pub(super) fn check(
         text.push_str(&markdown::rendered(checklist, &desk.catalogue));
         text.push_str(&format!(
             "\n{}  shows a model answer\n{}  if yours says all of it\n",
-            command(&format!("solution {name}")),
-            command(&format!("check {name} --done")),
+            command(&typed(&format!("solution {name}"), exercise)),
+            command(&typed(&format!("check {name} --done"), exercise)),
         ));
         print(&text)?;
     }

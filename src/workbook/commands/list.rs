@@ -9,9 +9,10 @@ use crate::book::catalogue::CHAPTERS;
 use crate::book::exercise::{Exercise, ExerciseKind, ExerciseName};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{
-    ATTENTION, FAINT, GOOD, STRONG, WIDTH, columns, cut, padded, paint, wrapped,
+    ATTENTION, FAINT, GOOD, STRONG, columns, cut, padded, paint, width, wrapped,
 };
 use crate::workbook::feedback::report::command;
+use crate::workbook::practice::typed;
 use crate::workbook::progress::Progress;
 
 /// The arguments of `list`.
@@ -39,6 +40,9 @@ enum State {
     Solved,
 }
 
+/// How many columns a title needs to say something; with fewer it stands below the name.
+const TITLE: usize = 20;
+
 /// A line of the list.
 #[derive(Debug, Serialize)]
 struct Item<'a> {
@@ -55,6 +59,9 @@ struct Item<'a> {
     checks: u32,
     /// The starter is another than the one with which the reader began.
     starter_changed: bool,
+    /// The command that gives the new one.
+    #[serde(skip)]
+    reset: String,
 }
 
 impl List {
@@ -122,6 +129,7 @@ fn item<'a>(desk: &Desk, progress: &Progress, exercise: &'a Exercise) -> Item<'a
         hints: exercise.document.hints.len(),
         checks: entry.checks,
         starter_changed: state == State::Begun && desk.starter_changed(exercise, &entry),
+        reset: typed(&format!("reset {}", exercise.name), exercise),
     }
 }
 
@@ -143,9 +151,9 @@ fn shown(items: &[Item<'_>]) -> String {
         }
     };
     let widest = items.iter().map(|item| columns(&name(item))).max();
-    let width = widest.unwrap_or_default();
+    let widest = widest.unwrap_or_default();
     // The sign, the dots, the minutes and the blanks between take 21 columns.
-    let room = WIDTH.saturating_sub(width + 21).max(20);
+    let room = width().saturating_sub(widest + 21);
     let mut text = String::new();
     let mut chapter = "";
     for item in items {
@@ -166,27 +174,36 @@ fn shown(items: &[Item<'_>]) -> String {
         };
         let difficulty = usize::from(item.difficulty.min(5));
         let dots = format!("{}{}", "●".repeat(difficulty), "○".repeat(5 - difficulty));
-        text.push_str(&format!(
-            " {sign} {}  {}  {dots} {:>3} min\n",
-            padded(&name(item), width),
-            padded(&cut(item.title, room), room),
-            item.minutes,
-        ));
+        let minutes = item.minutes;
+        if room >= TITLE {
+            text.push_str(&format!(
+                " {sign} {}  {}  {dots} {minutes:>3} min\n",
+                padded(&name(item), widest),
+                padded(&cut(item.title, room), room),
+            ));
+        } else {
+            text.push_str(&format!(" {sign} {}\n", name(item)));
+            let facts = format!("   {dots} {minutes:>3} min  ");
+            text.push_str(&wrapped(item.title, &facts, &" ".repeat(columns(&facts))));
+        }
         if item.starter_changed {
             let note = format!(
                 "the starter has changed since you began; {} gives you the new one and keeps your answer",
-                command(&format!("reset {}", item.exercise))
+                command(&item.reset)
             );
             text.push_str(&wrapped(&note, "     ", "     "));
         }
     }
-    let legend = "✓ solved   › begun   ●○○○○ first steps … ●●●●● exam";
-    text.push_str(&format!("\n{}\n", paint(FAINT, legend)));
-    text.push_str(&format!(
-        "{} begins one; {} names the next.\n",
+    // Blanks that do not break, so that a sign stays with its word.
+    let legend = "✓\u{a0}solved\u{a0}\u{a0} ›\u{a0}begun\u{a0}\u{a0} ●○○○○\u{a0}first\u{a0}steps … ●●●●●\u{a0}exam";
+    let legend = wrapped(legend, "", "");
+    text.push_str(&format!("\n{}\n", paint(FAINT, legend.trim_end())));
+    let sentence = format!(
+        "{} begins one; {} names the next.",
         command("start NAME"),
         command("next")
-    ));
+    );
+    text.push_str(&wrapped(&sentence, "", ""));
     text
 }
 

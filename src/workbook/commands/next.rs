@@ -9,6 +9,7 @@ use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{GOOD, paint, wrapped};
 use crate::workbook::feedback::report::command;
 use crate::workbook::practice::next::next;
+use crate::workbook::practice::typed;
 use crate::workbook::progress::Progress;
 
 /// The arguments of `next`.
@@ -67,13 +68,13 @@ pub(super) fn sentence(desk: &Desk, progress: &Progress) -> String {
     let what = if desk.is_begun(exercise) {
         format!(
             "“{title}” is begun. {} tests your answer.",
-            command("check")
+            command(&typed("check", exercise))
         )
     } else {
         format!(
             "Next is “{title}”, about {} minutes: {}",
             exercise.front.minutes,
-            command(&format!("start {}", exercise.name))
+            command(&typed(&format!("start {}", exercise.name), exercise))
         )
     };
     wrapped(&what, "", "")

@@ -8,7 +8,7 @@ use super::PracticeError;
 use crate::book::exercise::Exercise;
 use crate::workbook::answers;
 use crate::workbook::house;
-use crate::workbook::practice::Desk;
+use crate::workbook::practice::{Desk, typed};
 use crate::workbook::progress::Progress;
 
 /// Where exercises and answers are.
@@ -32,18 +32,14 @@ impl Place {
         let root = house::find()?;
         // A folder on the command line is meant from where the reader stands.
         let absolute = |path: &Path| std::path::absolute(path).map_err(PracticeError::Output);
-        let packs = self
-            .packs
-            .iter()
-            .map(|pack| absolute(pack))
-            .collect::<Result<Vec<_>, _>>()?;
-        if let Some(missing) = packs.iter().find(|pack| !pack.is_dir()) {
-            let pack = missing.display();
-            let text = format!(
-                "there is no folder `{pack}`\nnext step: name the folder that holds the chapters of the pack"
-            );
-            return Err(PracticeError::Unfit(text));
-        }
+        let pack = |pack: &PathBuf| match pack.canonicalize() {
+            Ok(folder) if folder.is_dir() => Ok(folder),
+            _ => Err(PracticeError::Unfit(format!(
+                "there is no folder `{}`\nnext step: name the folder that holds the chapters of the pack",
+                pack.display()
+            ))),
+        };
+        let packs: Vec<PathBuf> = self.packs.iter().map(pack).collect::<Result<_, _>>()?;
         let folder = match &self.answers {
             Some(folder) => absolute(folder)?,
             None => root.join(answers::FOLDER),
@@ -59,8 +55,8 @@ impl Place {
 /// The arguments of the next command, such as `hint`: with the name where without it another exercise would be meant.
 pub fn about(command: &str, exercise: &Exercise, progress: &Progress) -> String {
     if progress.begun_last.as_ref() == Some(&exercise.name) {
-        command.to_owned()
+        typed(command, exercise)
     } else {
-        format!("{command} {}", exercise.name)
+        typed(&format!("{command} {}", exercise.name), exercise)
     }
 }

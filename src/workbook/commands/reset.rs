@@ -7,7 +7,7 @@ use super::{Place, PracticeError, print, print_json};
 use crate::workbook::command_line::Outcome;
 use crate::workbook::feedback::paint::{CODE, paint};
 use crate::workbook::feedback::report::command;
-use crate::workbook::practice::{reset::reset, shown};
+use crate::workbook::practice::{reset::reset, shown, typed};
 
 /// The arguments of `reset`.
 #[derive(Debug, Args)]
@@ -53,7 +53,7 @@ impl Reset {
                 "Your answer is kept as {}.\n{} holds the starter again.\n\nnext step: {}\n",
                 paint(CODE, backup),
                 paint(CODE, file),
-                command(&format!("check {}", exercise.name))
+                command(&typed(&format!("check {}", exercise.name), exercise))
             ))?;
         }
         Ok(Outcome::Fine)

@@ -10,6 +10,7 @@ use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{FAINT, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
 use crate::workbook::practice::solution::{self, Asked};
+use crate::workbook::practice::typed;
 
 /// The arguments of `solution`.
 #[derive(Debug, Args)]
@@ -64,7 +65,7 @@ impl Solution {
             let sentence = format!(
                 "You have not solved “{}” yet. {hints}If you want to see the solution all the same, ask once more: {}",
                 exercise.front.title,
-                command(&format!("solution {name}"))
+                command(&typed(&format!("solution {name}"), exercise))
             );
             print(&wrapped(&sentence, "", ""))?;
             return Ok(Outcome::Fine);

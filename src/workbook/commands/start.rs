@@ -11,7 +11,7 @@ use crate::workbook::feedback::markdown;
 use crate::workbook::feedback::paint::{ATTENTION, CODE, FAINT, STRONG, paint, wrapped};
 use crate::workbook::feedback::report::command;
 use crate::workbook::practice::begin::{Fresh, any_seed, begin, begin_fresh};
-use crate::workbook::practice::shown;
+use crate::workbook::practice::{shown, typed};
 use crate::workbook::progress::Progress;
 
 /// The arguments of `start`.
@@ -91,7 +91,8 @@ impl Start {
             }
         }
         if let Some(fresh) = &fresh {
-            let same = command(&format!("start {} --fresh {}", exercise.name, fresh.seed));
+            let same = format!("start {} --fresh {}", exercise.name, fresh.seed);
+            let same = command(&typed(&same, exercise));
             let note = format!("It has fresh numbers; {same} deals the same ones again.");
             text.push_str(&wrapped(&note, "", ""));
         }
@@ -152,17 +153,18 @@ fn builds_on(desk: &Desk, progress: &Progress, exercise: &Exercise) -> String {
 pub(super) fn starter_changed(exercise: &Exercise) -> String {
     let note = format!(
         "The starter has changed since you began. Your answer is left alone. {} gives you the new starter and keeps your answer as a backup.",
-        command(&format!("reset {}", exercise.name))
+        command(&typed(&format!("reset {}", exercise.name), exercise))
     );
     wrapped(&note, &paint(ATTENTION, "» "), "  ")
 }
 
 fn what_next(exercise: &Exercise) -> String {
-    let (check, hint) = (command("check"), command("hint"));
+    let of = |words| command(&typed(words, exercise));
+    let (check, hint) = (of("check"), of("hint"));
     if exercise.front.kind == ExerciseKind::Explain {
         return format!("\n{check}  shows what a good answer says\n{hint}   helps a little\n");
     }
-    let watch = command("watch");
+    let watch = of("watch");
     format!(
         "\n{check}  tests your answer\n{watch}  tests it whenever you save\n{hint}   helps a little\n"
     )

@@ -13,8 +13,8 @@ use super::{Desk, Place, PracticeError, print};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::Checker;
 use crate::workbook::command_line::Outcome;
-use crate::workbook::feedback::paint::{CODE, FAINT, WIDTH, paint};
-use crate::workbook::practice::shown;
+use crate::workbook::feedback::paint::{CODE, FAINT, paint, width};
+use crate::workbook::practice::{shown, typed};
 
 /// How long a file must be quiet before it is read.
 ///
@@ -46,13 +46,13 @@ impl Watch {
         let name = &exercise.name;
         let Some(tested) = &exercise.tested else {
             return Err(PracticeError::Unfit(format!(
-                "`{name}` is an explanation, which no test can judge\nnext step: `cargo run -- check {name}` shows what a good answer says"
+                "`{name}` is an explanation, which no test can judge\nnext step: `cargo run -- {}` shows what a good answer says",
+                typed(&format!("check {name}"), exercise)
             )));
         };
         let file = desk.answers.file(exercise);
         let Some(mut last) = desk.answers.read(exercise)? else {
-            let name = name.to_string();
-            return Err(PracticeError::NotBegun { name });
+            return Err(PracticeError::not_begun(exercise));
         };
         let (sender, changes) = mpsc::channel();
         let unwatchable = |error| {
@@ -102,7 +102,7 @@ impl Watch {
             out.flush()?;
             return Ok(());
         }
-        let rule = "─".repeat(WIDTH);
+        let rule = "─".repeat(width());
         let file = shown(&desk.answers.file(exercise));
         print(&format!(
             "{}\n{}\n{} {} {}\n",

@@ -2,8 +2,20 @@
 
 use anstyle::{AnsiColor, Style};
 
+use super::terminal;
+
 /// How long a line may be, in columns; a terminal has 80.
 pub const WIDTH: usize = 78;
+
+/// How long a line may be on this terminal: less where it is narrower, never more than is easily read.
+pub fn width() -> usize {
+    terminal::columns().map_or(WIDTH, fitting)
+}
+
+/// How long a line may be where there are so many columns; below some it would hold hardly a word.
+fn fitting(columns: usize) -> usize {
+    columns.saturating_sub(2).clamp(20, WIDTH)
+}
 
 /// A title, or what is worth a look.
 pub const STRONG: Style = Style::new().bold();
@@ -58,13 +70,14 @@ pub fn cut(text: &str, width: usize) -> String {
 ///
 /// A line break in the text stays one; a word that is longer than a line stands alone.
 pub fn wrapped(text: &str, first: &str, rest: &str) -> String {
+    let width = width();
     let mut lines: Vec<String> = Vec::new();
     let mut indent = first;
     for part in text.split('\n') {
         let mut line = String::from(indent);
         let mut is_empty = true;
         for word in part.split(' ').filter(|word| !word.is_empty()) {
-            if !is_empty && columns(&line) + 1 + columns(word) > WIDTH {
+            if !is_empty && columns(&line) + 1 + columns(word) > width {
                 lines.push(line.trim_end().to_owned());
                 line = String::from(rest);
                 is_empty = true;
@@ -119,6 +132,11 @@ mod tests {
         let long = "x".repeat(100);
         assert_eq!(wrapped(&long, "", ""), format!("{long}\n"));
         assert_eq!(wrapped("a\nb", "> ", "  "), "> a\n  b\n");
+    }
+
+    #[test]
+    fn a_line_fits_the_terminal() {
+        assert_eq!([200, 80, 60, 40, 3].map(fitting), [78, 78, 58, 38, 20]);
     }
 
     #[test]

@@ -65,7 +65,7 @@ fn heading(verdict: &Verdict, title: &str) -> String {
         paint(STRONG, title),
         paint(
             FAINT,
-            format!("{} · {:.1} s", verdict.exercise, verdict.seconds)
+            format!("· {} · {:.1} s", verdict.exercise, verdict.seconds)
         ),
     )
 }
@@ -97,7 +97,7 @@ fn failed(failure: &Failure) -> String {
     let rows = failure.rows.iter().map(|row| (row.name, painted(row)));
     format!(
         "\n{} {}\n{}",
-        paint(STRONG, &failure.test),
+        paint(STRONG, format!("“{}”", failure.test)),
         paint(BAD, failure.ending),
         table(&rows.collect::<Vec<_>>(), "  ")
     )

@@ -12,6 +12,17 @@ pub fn has_colours() -> bool {
     anstream::AutoStream::choice(&stdout()) != anstream::ColorChoice::Never
 }
 
+/// How many columns the terminal has; none if standard output is no terminal.
+///
+/// The variable `COLUMNS` has the first word, as with other commands.
+pub fn columns() -> Option<usize> {
+    let asked = std::env::var("COLUMNS").ok().and_then(|n| n.parse().ok());
+    asked.or_else(|| {
+        let (_, columns) = console::Term::stdout().size_checked()?;
+        Some(usize::from(columns))
+    })
+}
+
 /// The first of these variables that says something decides.
 fn is_unicode(variable: impl Fn(&str) -> Option<String>) -> bool {
     ["LC_ALL", "LC_CTYPE", "LANG"]

@@ -134,12 +134,14 @@ fn does_not_compile(verdict: &Verdict) -> Told<'_> {
         "Your answer does not compile yet."
     };
     let mut told = Told::new(format!("{what} {count}."));
-    if errors.len() > ERRORS {
-        let more = errors.len() - ERRORS;
+    // Where a signature has changed, every call says the same.
+    let shown = if in_tests { 1 } else { ERRORS };
+    if errors.len() > shown {
+        let more = errors.len() - shown;
         let words = format!("… and {more} more; the first ones often cause the others.");
         told.more_diagnostics = Some(words);
     }
-    told.diagnostics = errors.into_iter().take(ERRORS).collect();
+    told.diagnostics = errors.into_iter().take(shown).collect();
     told
 }
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::begin::starter;
-use super::{Desk, PracticeError, shown};
+use super::{Desk, PracticeError, shown, typed};
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::{Answer, Checker, Verdict};
 use crate::workbook::durable;
@@ -29,8 +29,7 @@ pub fn check(
 ) -> Result<Verdict, PracticeError> {
     let file = desk.answers.file(exercise);
     let Some(text) = desk.answers.read(exercise)? else {
-        let name = exercise.name.to_string();
-        return Err(PracticeError::NotBegun { name });
+        return Err(PracticeError::not_begun(exercise));
     };
     let answer = Answer {
         shown_as: shown(&file).display().to_string(),
@@ -57,16 +56,16 @@ pub fn check(
 pub fn compare(desk: &Desk, exercise: &Exercise, done: bool) -> Result<Progress, PracticeError> {
     let name = &exercise.name;
     if !desk.is_begun(exercise) {
-        let name = name.to_string();
-        return Err(PracticeError::NotBegun { name });
+        return Err(PracticeError::not_begun(exercise));
     }
     let answer = desk.answers.read(exercise)?.unwrap_or_default();
     if done && (answer.trim().is_empty() || answer == starter(exercise)) {
         let file = shown(&desk.answers.file(exercise));
         return Err(PracticeError::Unfit(format!(
             "there is no answer in `{}` yet\n\
-             next step: write yours, a few sentences will do, and compare it: `cargo run -- check {name}`",
-            file.display()
+             next step: write yours, a few sentences will do, and compare it: `cargo run -- {}`",
+            file.display(),
+            typed(&format!("check {name}"), exercise)
         )));
     }
     desk.update(|progress| {

@@ -62,12 +62,13 @@ impl Desk {
         if let (Some(exercise), None) = (short.next(), short.next()) {
             return Ok(exercise);
         }
-        let mut broken = self.mistakes.exercises.iter().map(|(name, _)| name);
-        if let Some(broken) = broken.find(|b| b.to_string() == name || b.name() == name) {
-            return Err(PracticeError::Unfit(format!(
-                "the exercise `{broken}` has mistakes of its own\n\
-                 next step: mend them, or take another exercise: `cargo run -- list`"
-            )));
+        let mut broken = self.mistakes.exercises.iter();
+        let is_meant = |broken: &ExerciseName| broken.to_string() == name || broken.name() == name;
+        if let Some((name, mistakes)) = broken.find(|(name, _)| is_meant(name)) {
+            return Err(PracticeError::HasMistakes {
+                name: name.clone(),
+                mistakes: mistakes.clone(),
+            });
         }
         if let Some(file) = parsed.and_then(|name| self.answers.any_file(&name)) {
             return Err(PracticeError::LeftTheBook {
@@ -143,6 +144,19 @@ impl Desk {
 fn tell(notice: Option<String>) {
     if let Some(notice) = notice {
         anstream::eprintln!("{notice}\n");
+    }
+}
+
+/// The words behind `cargo run --`, with the pack without which the exercise would not be found.
+pub fn typed(words: &str, exercise: &Exercise) -> String {
+    let Some(pack) = exercise.pack() else {
+        return words.to_owned();
+    };
+    let pack = shown(pack).display().to_string();
+    if pack.contains(char::is_whitespace) {
+        format!("{words} --pack '{pack}'")
+    } else {
+        format!("{words} --pack {pack}")
     }
 }
 

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::book::error::BookErrors;
+use super::desk::typed;
+use crate::book::error::{BookError, BookErrors};
+use crate::book::exercise::{Exercise, ExerciseName};
 use crate::workbook::answers::AnswersError;
 use crate::workbook::checking::CheckingError;
 use crate::workbook::house::NoHouse;
@@ -52,14 +54,27 @@ pub enum PracticeError {
         /// The answer.
         file: PathBuf,
     },
+    /// The exercise does not follow the schema; what is wrong is told beside this, all at once.
+    #[error(
+        "the exercise `{name}` has mistakes of its own\n\
+         next step: mend them, or take another exercise: `cargo run -- list`"
+    )]
+    HasMistakes {
+        /// The exercise.
+        name: ExerciseName,
+        /// What is wrong with it.
+        mistakes: Vec<BookError>,
+    },
     /// No exercise was named, and none was begun.
     #[error("no exercise was begun yet\nnext step: `cargo run -- next` names one to begin with")]
     NothingBegun,
     /// The exercise was not begun.
-    #[error("`{name}` was not begun yet\nnext step: `cargo run -- start {name}`")]
+    #[error("`{name}` was not begun yet\nnext step: `cargo run -- {start}`")]
     NotBegun {
         /// The exercise.
-        name: String,
+        name: ExerciseName,
+        /// The command that begins it.
+        start: String,
     },
     /// The arguments do not fit the exercise.
     #[error("{0}")]
@@ -67,4 +82,13 @@ pub enum PracticeError {
     /// The answer cannot be written.
     #[error("cannot write the answer: {0}")]
     Output(#[from] io::Error),
+}
+
+impl PracticeError {
+    /// This exercise was not begun.
+    pub(crate) fn not_begun(exercise: &Exercise) -> Self {
+        let name = exercise.name.clone();
+        let start = typed(&format!("start {name}"), exercise);
+        Self::NotBegun { name, start }
+    }
 }

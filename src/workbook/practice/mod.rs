@@ -25,5 +25,5 @@ pub mod save;
 pub mod solution;
 pub mod standing;
 
-pub use desk::{Desk, shown};
+pub use desk::{Desk, shown, typed};
 pub use error::PracticeError;

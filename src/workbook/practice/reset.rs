@@ -14,8 +14,7 @@ use crate::workbook::progress::Entry;
 /// The exercise was not begun, or a file cannot be written.
 pub fn reset(desk: &Desk, exercise: &Exercise) -> Result<PathBuf, PracticeError> {
     let Some(backup) = desk.answers.put_away(exercise)? else {
-        let name = exercise.name.to_string();
-        return Err(PracticeError::NotBegun { name });
+        return Err(PracticeError::not_begun(exercise));
     };
     desk.update(|progress| *progress.entry(&exercise.name) = Entry::default())?;
     begin(desk, exercise, None)?;

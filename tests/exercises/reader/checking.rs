@@ -89,6 +89,26 @@ fn a_new_reader_comes_from_the_list_to_a_solved_exercise() {
 }
 
 #[test]
+fn the_list_fits_a_narrow_terminal() {
+    let reader = Reader::begun();
+    for (width, title_is_below) in [(200, false), (80, false), (60, true), (40, true)] {
+        let mut command = reader.command(&["list"]);
+        let list = Run::of(command.env("COLUMNS", width.to_string()));
+        list.assert_status(0);
+        for line in list.stdout.lines() {
+            assert!(line.chars().count() <= width, "{width}: {line}");
+        }
+        // Nothing is cut where the title has a place of its own.
+        list.assert_says(NAME.trim_start_matches("bezier/"));
+        let title = list.says("A point of a parabola");
+        assert!(title || !title_is_below, "{list:#?}");
+        let name = list.stdout.lines().find(|l| l.contains("parabola-point"));
+        let has_more = name.is_some_and(|line| line.contains("min"));
+        assert_eq!(has_more, !title_is_below, "{width}: {name:?}");
+    }
+}
+
+#[test]
 fn check_prints_one_verdict_as_json() {
     let reader = Reader::begun();
     let verdict = reader.json(&["check"]);
@@ -210,6 +230,15 @@ fn errors_of_the_compiler_point_into_the_readers_file() {
     reader.write(&starter.replace("fn point<", "fn punkt<"));
     let run = reader.run(&["check"]);
     run.assert_status(1).assert_says("the tests cannot use it");
+
+    // Every call says the same, and where the reader has written it.
+    reader.write(&starter.replace("t: T)", "t: &T)"));
+    let run = reader.run(&["check"]);
+    run.assert_status(1)
+        .assert_says("the first ones often cause");
+    run.assert_says(&format!("{}:", reader.file().display()));
+    let calls = run.stdout.matches("parabola-point/tests.rs:").count();
+    assert!((1..=3).contains(&calls), "{run:#?}");
 }
 
 #[test]
@@ -277,9 +306,19 @@ fn an_explanation_is_judged_by_the_reader() {
     early
         .run(&["solution", "near-polygon", "--pack", pack])
         .assert_silent_about("λᵢ");
-    run(&["check"])
+    let option = format!("--pack {pack}`");
+    let named = run(&["check"]);
+    named
         .assert_status(1)
-        .assert_says("[ ] the weights are not negative");
+        .assert_says("[ ] the weights are not negative")
+        .assert_says(&format!("--done {option}"));
+    // What is to be typed next finds the exercise again.
+    run(&["start", "near-polygon"]).assert_says(&format!("check {option}"));
+    run(&["hint"]).assert_says(&option);
+    early
+        .run(&["check", "near-polygon", "--pack", pack])
+        .assert_status(2)
+        .assert_says(&format!("start bezier/near-polygon {option}"));
     run(&["solution"]).assert_says("λᵢ ≥ 0");
     run(&["watch"]).assert_status(2).assert_says("next step");
     let verdict = || -> Verdict {
