@@ -672,6 +672,10 @@
             const standings = await (await answered(asked)).json();
             for (const standing of standings) {
                 const practice = practices.find(practice => practice.name === standing.exercise);
+                if (standing.problem) {
+                    practice?.tell(standing.problem, true);
+                    continue;
+                }
                 // While an answer is under way, its reply says how things stand.
                 if (practice && !practice.busy) {
                     practice.take(standing);

@@ -301,3 +301,84 @@ fn the_pages_hear_of_a_change_in_the_terminal() {
     let second = hear(&first)["answers"].clone();
     assert_ne!(second, first.as_str());
 }
+
+/// A reader may keep his answers elsewhere, and link to them.
+#[test]
+fn an_answer_that_is_a_link_stays_one() {
+    let server = Server::start();
+    let begun = post(&server, NAME, "save", &json!({ "text": "// first\n" }));
+    let link = file(&server, "bezier/parabola-point.rs");
+    let elsewhere = file(&server, "elsewhere.rs");
+    fs::rename(&link, &elsewhere).expect("it is moved");
+    std::os::unix::fs::symlink("../elsewhere.rs", &link).expect("a link");
+    let base = &begun["standing"]["digest"];
+    let saved = post(
+        &server,
+        NAME,
+        "save",
+        &json!({ "text": "// second\n", "base": base }),
+    );
+    assert_eq!(saved["conflict"], false, "{saved}");
+    let text = |path: &std::path::Path| fs::read_to_string(path).expect("a file");
+    assert!(link.is_symlink());
+    assert_eq!(text(&elsewhere), "// second\n");
+
+    // What has to make room is kept, whole and not as a link.
+    let mine = json!({ "text": "// third\n", "base": null, "replace": true });
+    assert!(post(&server, NAME, "save", &mine)["backup"].is_string());
+    let backup = file(&server, "backups/bezier/parabola-point.1.rs");
+    assert!(link.is_symlink() && !backup.is_symlink());
+    assert_eq!(
+        (text(&backup), text(&elsewhere)),
+        ("// second\n".into(), "// third\n".into())
+    );
+
+    // After a reset there is a new file; the one behind the link is left alone.
+    post(&server, NAME, "reset", &json!({}));
+    assert!(!link.is_symlink());
+    assert_ne!(text(&link), "// third\n");
+    let backup = file(&server, "backups/bezier/parabola-point.2.rs");
+    assert_eq!(
+        (text(&backup), text(&elsewhere)),
+        ("// third\n".into(), "// third\n".into())
+    );
+}
+
+#[test]
+fn an_exercise_with_mistakes_is_told_and_leaves_the_others_alone() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let workbook = tempfile::tempdir().expect("a folder");
+    let here = workbook.path();
+    let folder = here.join("book/exercises/bezier");
+    fs::create_dir_all(folder.join("broken")).expect("folders");
+    fs::write(folder.join("broken/exercise.md"), "no front matter\n").expect("a file");
+    for shared in ["book/statements", "book/exercises/bezier/parabola-point"] {
+        std::os::unix::fs::symlink(root.join(shared), here.join(shared)).expect("a link");
+    }
+    for needed in ["Cargo.toml", "Cargo.lock"] {
+        fs::copy(root.join(needed), here.join(needed)).expect("a copy");
+    }
+    let server = Server::of(here);
+    let line = format!("GET /__workbook/exercises?names=bezier/broken,{NAME},bezier/nothing");
+    let answer = server.ask(&line, &server.reader(), "");
+    assert_eq!(answer.status, 200, "{answer:?}");
+    let all: Value = serde_json::from_str(&answer.body).expect("it is JSON");
+    let problem = |index: usize| all[index]["problem"].as_str().unwrap_or_default();
+    assert_eq!(all[0]["exercise"], "bezier/broken");
+    for words in ["has mistakes", "next step", "bezier/broken/exercise.md:1"] {
+        assert!(problem(0).contains(words), "{all}");
+    }
+    assert_eq!(all[1]["digest"], Value::Null, "{all}");
+    assert_eq!(all[1]["problem"], Value::Null, "{all}");
+    assert!(problem(2).contains("there is no exercise"), "{all}");
+
+    let line = "POST /__workbook/exercise/bezier/broken/save";
+    let answer = server.ask(line, &server.reader(), "{\"text\":\"x\"}");
+    assert_eq!(answer.status, 422, "{answer:?}");
+    assert!(
+        answer.body.contains("bezier/broken/exercise.md:1"),
+        "{answer:?}"
+    );
+    let saved = post(&server, NAME, "save", &json!({ "text": "// mine\n" }));
+    assert_eq!(saved["conflict"], false, "{saved}");
+}

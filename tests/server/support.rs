@@ -28,6 +28,11 @@ pub(crate) const PAGE: &str = "<html><head><title>A page</title></head><body><ma
 
 impl Server {
     pub(crate) fn start() -> Self {
+        Self::of(Path::new(env!("CARGO_MANIFEST_DIR")))
+    }
+
+    /// A server of the workbook at this place.
+    pub(crate) fn of(root: &Path) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let pages = folder.path().join("site");
         fs::create_dir_all(pages.join("bezier")).expect("folders");
@@ -44,7 +49,7 @@ impl Server {
         };
         let (sender, state) = watch::channel(known);
         let book = Book {
-            root: Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf(),
+            root: root.to_path_buf(),
             folder: pages,
             answers: folder.path().join("answers"),
             state,

@@ -141,40 +141,59 @@ impl Answers {
 
     /// Puts `text` into the place of the answer, whole or not at all; the file may be new.
     ///
+    /// Where the answer is a link, the file behind it gets the text, and the link stays.
+    ///
     /// # Errors
     ///
     /// The file cannot be written; the old answer is still there then.
     pub fn write(&self, exercise: &Exercise, text: &str) -> Result<(), AnswersError> {
         let file = self.file(exercise);
-        durable::replace(&file, text.as_bytes()).map_err(AnswersError::file(&file))
+        let behind = if file.is_symlink() {
+            fs::canonicalize(&file).map_err(AnswersError::file(&file))?
+        } else {
+            file.clone()
+        };
+        durable::replace(&behind, text.as_bytes()).map_err(AnswersError::file(&file))
+    }
+
+    /// Copies the answer under the next free number and returns where the copy is; `None` if there is no answer.
+    ///
+    /// # Errors
+    ///
+    /// The answer cannot be read, or the copy not be written.
+    pub fn back_up(&self, exercise: &Exercise) -> Result<Option<PathBuf>, AnswersError> {
+        let file = self.file(exercise);
+        let bytes = match fs::read(&file) {
+            Ok(bytes) => bytes,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(AnswersError::file(&file)(e)),
+        };
+        let extension = file.extension().unwrap_or_default().to_string_lossy();
+        let folder = self.folder.join("backups").join(exercise.name.chapter());
+        for number in 1_u32.. {
+            let backup = folder.join(format!("{}.{number}.{extension}", exercise.name.name()));
+            // A copy that is there already is never written over.
+            if create(&backup, &bytes)? {
+                return Ok(Some(backup));
+            }
+        }
+        Ok(None)
     }
 
     /// Puts the answer away under the next free number and returns where it is now; `None` if there is no answer.
     ///
+    /// Where the answer is a link, the file behind it is left alone.
+    ///
     /// # Errors
     ///
-    /// The file cannot be moved.
+    /// The file cannot be copied or removed.
     pub fn put_away(&self, exercise: &Exercise) -> Result<Option<PathBuf>, AnswersError> {
-        let file = self.file(exercise);
-        if !file.is_file() {
-            return Ok(None);
+        let backup = self.back_up(exercise)?;
+        if backup.is_some() {
+            let file = self.file(exercise);
+            fs::remove_file(&file).map_err(AnswersError::file(&file))?;
         }
-        let extension = file.extension().unwrap_or_default().to_string_lossy();
-        let folder = self.folder.join("backups").join(exercise.name.chapter());
-        fs::create_dir_all(&folder).map_err(AnswersError::file(&folder))?;
-        for number in 1_u32.. {
-            let backup = folder.join(format!("{}.{number}.{extension}", exercise.name.name()));
-            // Unlike a renaming, a link never takes the place of a file that is there.
-            match fs::hard_link(&file, &backup) {
-                Ok(()) => {
-                    fs::remove_file(&file).map_err(AnswersError::file(&file))?;
-                    return Ok(Some(backup));
-                }
-                Err(_) if backup.exists() => {}
-                Err(e) => return Err(AnswersError::file(&backup)(e)),
-            }
-        }
-        Ok(None)
+        Ok(backup)
     }
 
     /// Writes the manifest and the lock file if they are not as they should be.
@@ -194,7 +213,12 @@ fn create(file: &Path, bytes: &[u8]) -> Result<bool, AnswersError> {
             fs::create_dir_all(folder)?;
         }
         match fs::File::create_new(file) {
-            Ok(mut new) => new.write_all(bytes).map(|()| true),
+            Ok(mut new) => {
+                new.write_all(bytes)?;
+                // What is removed because it is kept here must be on the disk.
+                new.sync_all()?;
+                Ok(true)
+            }
             Err(e) if e.kind() == io::ErrorKind::AlreadyExists => Ok(false),
             Err(e) => Err(e),
         }

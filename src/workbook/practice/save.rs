@@ -67,7 +67,7 @@ pub fn save(desk: &Desk, exercise: &Exercise, draft: Draft<'_>) -> Result<Saved,
                 return Ok(Saved::Conflict { text, digest });
             }
             if !is_seen {
-                backup = desk.answers.put_away(exercise)?;
+                backup = desk.answers.back_up(exercise)?;
             }
         }
         None => {

@@ -24,7 +24,7 @@ use serde::Deserialize;
 
 pub use desks::Desks;
 use desks::Table;
-use reply::{Next, Refused, Reply, SolutionReply};
+use reply::{Looked, Next, Refused, Reply, SolutionReply};
 
 use super::Site;
 use crate::book::exercise::Exercise;
@@ -33,7 +33,7 @@ use crate::workbook::feedback::page;
 use crate::workbook::practice::begin::{Fresh, any_seed, begin_fresh};
 use crate::workbook::practice::check::{check as check_answer, compare, keep_picture};
 use crate::workbook::practice::save::{Draft, Saved, save as save_draft};
-use crate::workbook::practice::standing::{Standing, judged, with_fields};
+use crate::workbook::practice::standing::{judged, with_fields};
 use crate::workbook::practice::{self, PracticeError, shown};
 
 /// What runs behind the guard.
@@ -106,12 +106,10 @@ async fn at_exercise(
 async fn standings(
     Shared(site): Shared<Site>,
     Query(asked): Query<Asked>,
-) -> Result<Json<Vec<Standing>>, Refused> {
+) -> Result<Json<Vec<Looked>>, Refused> {
     let found = at_desk(&site, move |table| {
         let names = asked.names.split(',').filter(|name| !name.is_empty());
-        names
-            .map(|name| Standing::of(&table.desk, table.desk.exercise(name)?))
-            .collect()
+        Ok(names.map(|name| Looked::at(&table.desk, name)).collect())
     });
     found.await.map(Json)
 }

@@ -77,6 +77,33 @@ impl Next {
     }
 }
 
+/// How the reader stands with an exercise, or why that cannot be said.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum Looked {
+    Standing(Box<Standing>),
+    /// One exercise that cannot be worked at keeps nobody from the others of its page.
+    Problem {
+        exercise: String,
+        problem: String,
+    },
+}
+
+impl Looked {
+    pub(super) fn at(desk: &Desk, name: &str) -> Self {
+        let standing = desk
+            .exercise(name)
+            .and_then(|exercise| Standing::of(desk, exercise));
+        match standing {
+            Ok(standing) => Self::Standing(Box::new(standing)),
+            Err(error) => Self::Problem {
+                exercise: name.to_owned(),
+                problem: in_words(&error),
+            },
+        }
+    }
+}
+
 /// Why nothing came of it.
 #[derive(Debug)]
 pub(super) enum Refused {
@@ -95,7 +122,7 @@ impl From<PracticeError> for Refused {
 impl IntoResponse for Refused {
     fn into_response(self) -> Response {
         let (status, text) = match self {
-            Self::Practice(error) => (status_of(&error), error.to_string()),
+            Self::Practice(error) => (status_of(&error), in_words(&error)),
             Self::Broken => (
                 StatusCode::INTERNAL_SERVER_ERROR,
                 "the workbook broke down over this request\n\
@@ -107,6 +134,17 @@ impl IntoResponse for Refused {
     }
 }
 
+/// The error, with the mistakes of an exercise, which the terminal tells with every command.
+fn in_words(error: &PracticeError) -> String {
+    let mut text = error.to_string();
+    if let PracticeError::HasMistakes { mistakes, .. } = error {
+        for mistake in mistakes {
+            text.push_str(&format!("\n{mistake}"));
+        }
+    }
+    text
+}
+
 fn status_of(error: &PracticeError) -> StatusCode {
     match error {
         PracticeError::UnknownExercise { .. } | PracticeError::LeftTheBook { .. } => {
@@ -115,6 +153,7 @@ fn status_of(error: &PracticeError) -> StatusCode {
         PracticeError::NotBegun { .. }
         | PracticeError::NothingBegun
         | PracticeError::Unfit(_)
+        | PracticeError::HasMistakes { .. }
         | PracticeError::Book(_) => StatusCode::UNPROCESSABLE_ENTITY,
         // Nobody waits for this answer any more.
         PracticeError::Checking(CheckingError::Stopped) => StatusCode::SERVICE_UNAVAILABLE,
