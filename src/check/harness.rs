@@ -16,6 +16,15 @@ use super::report::{Failure, Message};
 /// The argument that asks for the probes.
 pub const PROBES: &str = "--probes";
 
+/// The argument that asks for the probes if a test before it has failed.
+pub const PROBES_UNLESS_PASSED: &str = "--probes-unless-passed";
+
+/// The variable that says which answer is meant, in a program with several: its number, counted from 0.
+pub const ANSWER: &str = "WORKBOOK_ANSWER";
+
+/// What there is to run for an answer: the tests with their names, and the probes.
+pub type Entry = (&'static [(&'static str, fn())], fn() -> Vec<String>);
+
 thread_local! {
     /// Where the last panic of this thread happened, and its words.
     static LAST_PANIC: RefCell<(String, String)> = const { RefCell::new((String::new(), String::new())) };
@@ -45,6 +54,21 @@ pub fn main(tests: &[(&str, fn())], probes: fn() -> Vec<String>) -> ExitCode {
     }
 }
 
+/// The entry point of a program that tests several answers, one in each run.
+///
+/// The arguments are those of [`main`]; the variable [`ANSWER`] says which answer is meant.
+#[must_use]
+pub fn main_of(answers: &[Entry]) -> ExitCode {
+    let number = std::env::var(ANSWER).ok().and_then(|n| n.parse().ok());
+    match number.and_then(|number: usize| answers.get(number)) {
+        Some((tests, probes)) => main(tests, *probes),
+        None => {
+            eprintln!("`{ANSWER}` names none of the {} answers", answers.len());
+            ExitCode::from(2)
+        }
+    }
+}
+
 fn run(
     mut channel: UnixStream,
     names: impl Iterator<Item = String>,
@@ -55,10 +79,14 @@ fn run(
         channel.write_all(message.to_line().as_bytes())?;
         channel.write_all(b"\n")
     };
+    let mut all_passed = true;
     for name in names {
         // The answer may have set a hook of its own.
         panic::set_hook(Box::new(remember));
-        if name == PROBES {
+        if name == PROBES_UNLESS_PASSED && all_passed {
+            continue;
+        }
+        if name == PROBES || name == PROBES_UNLESS_PASSED {
             let values = catch_unwind(probes).unwrap_or_default();
             tell(&Message::Probes(values))?;
             continue;
@@ -67,7 +95,9 @@ fn run(
             return Err(io::Error::other(format!("there is no test `{name}`")));
         };
         tell(&Message::Begin(name.clone()))?;
-        tell(&match judge(*test) {
+        let judgement = judge(*test);
+        all_passed &= judgement.is_ok();
+        tell(&match judgement {
             Ok(()) => Message::Passed(name),
             Err(failure) => Message::Failed(name, *failure),
         })?;

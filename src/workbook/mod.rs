@@ -14,6 +14,7 @@
 //! | [`grade`] | a folder of submissions is checked |
 //! | [`live_figures`] | the figures as wasm, for a site without a server |
 //! | [`mesh_files`] | meshes in the formats OBJ, OFF and PLY |
+//! | `parallel` | work on several threads |
 //! | [`house`] | where the sources of the workbook stand |
 //! | [`sandbox`] | other people's programs, run with limits and out of reach |
 //! | [`server`] | the book on a loopback address, with live reload |
@@ -34,6 +35,8 @@ pub mod grade;
 pub mod house;
 pub mod live_figures;
 pub mod mesh_files;
+#[cfg(unix)]
+mod parallel;
 #[cfg(unix)]
 pub mod practice;
 #[cfg(unix)]

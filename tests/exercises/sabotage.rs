@@ -1,7 +1,10 @@
 //! Sabotage: an exercise that proves nothing is noticed, and told with what to do.
 
+use std::time::Duration;
+
 use cagd::workbook::checking::Checker;
-use cagd::workbook::sandbox::Isolation;
+use cagd::workbook::checking::verdict::TestOutcome;
+use cagd::workbook::sandbox::{Isolation, Limits};
 
 use crate::pack::Pack;
 
@@ -102,6 +105,78 @@ fn mutants_that_are_no_wrong_answers() {
             ),
         ],
     );
+}
+
+/// Most answers share a program; what one of them does stays with it.
+#[test]
+fn one_answer_does_not_harm_another() {
+    let pack = Pack::new();
+    pack.mutant(
+        "endless",
+        "counting never ends",
+        "if n == 1 { loop {} } else { n }",
+    );
+    pack.mutant(
+        "exits",
+        "the end is the end",
+        "if n == 3 { std::process::exit(0) } else { n }",
+    );
+    let limits = Limits {
+        time: Duration::from_secs(2),
+        ..Limits::answer()
+    };
+    let report = pack.verify(&pack.checker().with_limits(limits)).report;
+    let found: Vec<(&str, &str)> = report
+        .shortcomings
+        .iter()
+        .map(|s| (s.about.as_str(), s.found.as_str()))
+        .collect();
+    let ends = "no assertion rejects it; it ends the program or runs too long in the test";
+    assert_eq!(
+        found,
+        [
+            ("mutant exits", format!("{ends} `many`").as_str()),
+            ("probes", "the mutant endless gives no values"),
+            ("probes", "the mutant exits gives no values"),
+        ]
+    );
+    // The test after the one that never ends has its result all the same.
+    let columns = report.matrix.expect("the answers were tried");
+    let outcomes = |name: &str| {
+        let mut columns = columns.iter();
+        let column = columns.find(|column| column.answer == name);
+        column.map(|column| column.outcomes.clone())
+    };
+    use TestOutcome::{Ended, Passed, Rejected};
+    assert_eq!(
+        outcomes("mutant endless"),
+        Some(vec![Passed, Ended, Rejected])
+    );
+    assert_eq!(outcomes("mutant exits"), Some(vec![Passed, Passed, Ended]));
+    assert_eq!(
+        outcomes("mutant square"),
+        Some(vec![Passed, Passed, Rejected])
+    );
+}
+
+/// Answers that do not fit the tests are told with the words of the compiler, and the others are judged as ever.
+#[test]
+fn an_answer_that_the_tests_cannot_use() {
+    let pack = Pack::new();
+    let file = "mutants/renamed.rs";
+    pack.write(
+        file,
+        "//! misconception: any name will do\n\n/// 1 + 2 + … + n.\npub fn total(n: i64) -> i64 {\n    n\n}\n",
+    );
+    let report = pack.report();
+    let [only] = report.shortcomings.as_slice() else {
+        panic!("{report:#?}");
+    };
+    assert_eq!(only.about, "mutant renamed");
+    assert_eq!(only.found, "the tests do not compile with it");
+    assert!(only.remedy.contains(file), "{only:#?}");
+    let place = format!("{}/tests.rs:4:", crate::pack::NAME);
+    assert!(only.details.contains(&place), "{only:#?}");
 }
 
 #[test]

@@ -92,6 +92,26 @@ impl TestsSource {
     /// on standard output, where an answer can forge it. So the attribute gives way to one of the same length, and a
     /// `main` is written behind.
     pub fn program(&self) -> String {
+        format!(
+            "{}\nfn main() -> ::std::process::ExitCode {{ ::cagd::check::harness::main({}) }}\n",
+            self.body(),
+            self.entry()
+        )
+    }
+
+    /// The same tests as a module of a program that tests several answers: those of the crate that is called `answer`
+    /// there.
+    pub fn module(&self, answer: &str) -> String {
+        format!(
+            "{}\nuse ::{answer} as answer;\n\
+             pub fn workbook_entry() -> ::cagd::check::harness::Entry {{ ({}) }}\n",
+            self.body(),
+            self.entry()
+        )
+    }
+
+    /// The source with functions that stay in a program.
+    fn body(&self) -> String {
         let mut lines: Vec<String> = self.text.lines().map(str::to_owned).collect();
         for &(line, column) in &self.marks {
             let text = &mut lines[line];
@@ -103,6 +123,11 @@ impl TestsSource {
                 text.replace_range(start..=start + length, "#[cold]");
             }
         }
+        lines.join("\n")
+    }
+
+    /// What the harness runs: the tests with their names, and the probes.
+    fn entry(&self) -> String {
         let tests: Vec<String> = self
             .tests
             .iter()
@@ -113,11 +138,7 @@ impl TestsSource {
         } else {
             "::std::vec::Vec::new"
         };
-        format!(
-            "{}\nfn main() -> ::std::process::ExitCode {{ ::cagd::check::harness::main(&[{}], {probes}) }}\n",
-            lines.join("\n"),
-            tests.join(", ")
-        )
+        format!("&[{}], {probes}", tests.join(", "))
     }
 }
 

@@ -6,13 +6,16 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::CheckingError;
-use super::compile::{Program, Source, compile_answer, compile_tests};
+use super::compile::{
+    CompiledAnswer, Program, Source, compile_answer, compile_tests, compile_together,
+};
 use super::library::Library;
 use super::misconception;
 use super::runner::Runner;
-use super::trial::{AfterTooLong, Results, run_probes, run_tests};
+use super::trial::{AfterTooLong, Results, WithProbes, run_probes, run_tests};
 use super::verdict::{Diagnostic, Outcome, TestOutcome, Verdict};
 use crate::book::exercise::{Exercise, Tested};
+use crate::workbook::parallel::in_parallel;
 use crate::workbook::sandbox::{Isolation, Limits};
 
 /// An answer to be checked.
@@ -26,13 +29,20 @@ pub struct Checker {
     limits: Limits,
 }
 
+/// How many compilers work for several answers to one exercise at a time.
+///
+/// So one exercise alone uses two cores, and many at a time need not much more memory than cores.
+const AT_ONCE: usize = 2;
+
 /// A program, or why there is none.
 #[derive(Debug)]
 pub enum Compiled {
     /// It compiles; with the warnings about the answer.
     Program(Program, Vec<Diagnostic>),
-    /// The answer does not compile, or not with the tests.
+    /// The answer does not compile.
     Refused(Vec<Diagnostic>),
+    /// The answer compiles, the tests do not compile with it.
+    RefusedWithTests(Vec<Diagnostic>),
 }
 
 impl Checker {
@@ -99,21 +109,65 @@ impl Checker {
         tested: &Tested,
         answer: &Answer,
     ) -> Result<Compiled, CheckingError> {
-        let compiled = match compile_answer(&self.library, answer, &self.runner)? {
-            Ok(compiled) => compiled,
-            Err(diagnostics) => return Ok(Compiled::Refused(diagnostics)),
+        match compile_answer(&self.library, answer, &self.runner)? {
+            Ok(compiled) => self.with_tests(exercise, tested, &compiled),
+            Err(diagnostics) => Ok(Compiled::Refused(diagnostics)),
+        }
+    }
+
+    /// Compiles several answers with the tests of their exercise, in much less time than one by one.
+    ///
+    /// # Errors
+    ///
+    /// The compiler does not start.
+    pub fn compile_all(
+        &self,
+        exercise: &Exercise,
+        tested: &Tested,
+        answers: &[&Answer],
+    ) -> Result<Vec<Compiled>, CheckingError> {
+        let compiled = in_parallel(answers, AT_ONCE, |answer| {
+            compile_answer(&self.library, answer, &self.runner)
+        })?;
+        let fit: Vec<&CompiledAnswer> = compiled.iter().flatten().collect();
+        let programs = match fit.len() {
+            0 | 1 => None,
+            _ => compile_together(&self.library, &fit, &tested.tests, &self.runner)?,
         };
-        let warnings = compiled.diagnostics.clone();
+        let Some(programs) = programs else {
+            // One that does not fit the tests keeps them all apart.
+            return in_parallel(&compiled, AT_ONCE, |compiled| match compiled {
+                Ok(compiled) => self.with_tests(exercise, tested, compiled),
+                Err(diagnostics) => Ok(Compiled::Refused(diagnostics.clone())),
+            });
+        };
+        let mut programs = programs.into_iter();
+        let with_program = |compiled| match compiled {
+            Ok(CompiledAnswer { diagnostics, .. }) => {
+                Some(Compiled::Program(programs.next()?, diagnostics))
+            }
+            Err(diagnostics) => Some(Compiled::Refused(diagnostics)),
+        };
+        // There is a program for each answer that has compiled.
+        Ok(compiled.into_iter().filter_map(with_program).collect())
+    }
+
+    /// Compiles the tests with one answer.
+    fn with_tests(
+        &self,
+        exercise: &Exercise,
+        tested: &Tested,
+        answer: &CompiledAnswer,
+    ) -> Result<Compiled, CheckingError> {
         let tests = Source {
             shown_as: exercise.folder.join("tests.rs").display().to_string(),
             text: tested.tests.program(),
         };
-        Ok(
-            match compile_tests(&self.library, compiled, &tests, &self.runner)? {
-                Ok(program) => Compiled::Program(program, warnings),
-                Err(diagnostics) => Compiled::Refused(diagnostics),
-            },
-        )
+        let compiled = compile_tests(&self.library, answer, &tests, &self.runner)?;
+        Ok(match compiled {
+            Ok(program) => Compiled::Program(program, answer.diagnostics.clone()),
+            Err(diagnostics) => Compiled::RefusedWithTests(diagnostics),
+        })
     }
 
     /// Runs the tests of a compiled program, until one takes too long.
@@ -140,10 +194,11 @@ impl Checker {
             &self.limits,
             &self.runner,
             AfterTooLong::Stop,
+            WithProbes::UnlessPassed,
         )
     }
 
-    /// What an answer does on the probe inputs; `None` if it does not compile or ends the program.
+    /// What several answers do on the probe inputs; `None` for one that does not compile or ends the program.
     ///
     /// # Errors
     ///
@@ -152,12 +207,13 @@ impl Checker {
         &self,
         exercise: &Exercise,
         tested: &Tested,
-        answer: &Answer,
-    ) -> Result<Option<Vec<String>>, CheckingError> {
-        match self.compile(exercise, tested, answer)? {
-            Compiled::Program(program, _) => run_probes(&program, &self.limits, &self.runner),
-            Compiled::Refused(_) => Ok(None),
-        }
+        answers: &[&Answer],
+    ) -> Result<Vec<Option<Vec<String>>>, CheckingError> {
+        let compiled = self.compile_all(exercise, tested, answers)?;
+        in_parallel(&compiled, AT_ONCE, |compiled| match compiled {
+            Compiled::Program(program, _) => run_probes(program, &self.limits, &self.runner),
+            _ => Ok(None),
+        })
     }
 
     /// Checks an answer.
@@ -185,7 +241,7 @@ impl Checker {
         };
         let (program, warnings) = match self.compile(exercise, tested, answer)? {
             Compiled::Program(program, warnings) => (program, warnings),
-            Compiled::Refused(diagnostics) => {
+            Compiled::Refused(diagnostics) | Compiled::RefusedWithTests(diagnostics) => {
                 return Ok(verdict(
                     Outcome::DoesNotCompile,
                     diagnostics,
@@ -194,7 +250,7 @@ impl Checker {
                 ));
             }
         };
-        let results = self.run(tested, &program, seed)?;
+        let mut results = self.run(tested, &program, seed)?;
         let is_passed = |test: &super::verdict::TestResult| test.outcome == TestOutcome::Passed;
         if results.tests.iter().all(is_passed) {
             return Ok(verdict(Outcome::Passed, warnings, results, None));
@@ -203,7 +259,12 @@ impl Checker {
         if results.took_too_long {
             return Ok(verdict(Outcome::Failed, warnings, results, None));
         }
-        let misconception = match run_probes(&program, &self.limits, &self.runner)? {
+        let found = match results.probes.take() {
+            // An answer that has ended the program may still answer the probes.
+            None => run_probes(&program, &self.limits, &self.runner)?,
+            found => found,
+        };
+        let misconception = match found {
             Some(found) => misconception::recognise(self, exercise, tested, &found)?,
             None => None,
         };

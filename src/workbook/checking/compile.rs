@@ -6,14 +6,17 @@
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::Value;
+use tempfile::TempDir;
 
 use super::CheckingError;
 use super::library::Library;
 use super::runner::Runner;
 use super::verdict::Diagnostic;
+use crate::book::exercise::TestsSource;
 use crate::workbook::sandbox::{Ending, Job, Limits};
 
 /// A source with the name by which messages call it.
@@ -25,23 +28,25 @@ pub struct Source {
     pub text: String,
 }
 
-/// A compiled answer, in a folder of its own that ends with it.
+/// A compiled answer, in a folder of its own that ends with it and its program.
 #[derive(Debug)]
 pub struct CompiledAnswer {
-    /// The folder; removed when this is dropped.
-    pub folder: tempfile::TempDir,
+    folder: Arc<TempDir>,
     library: PathBuf,
+    shown_as: String,
     /// The warnings.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// A program that runs the tests of an exercise against one answer.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Program {
-    /// The folder with everything; removed when this is dropped.
-    pub folder: tempfile::TempDir,
+    /// The folder with everything; removed with the last program in it.
+    pub folder: Arc<TempDir>,
     /// The program.
     pub path: PathBuf,
+    /// Which of the answers of the program is meant; `None` if it has this one alone.
+    pub answer: Option<usize>,
 }
 
 /// Compiles an answer; the inner error is what the compiler says.
@@ -61,6 +66,10 @@ pub fn compile_answer(
     let file = folder.path().join("answer.rs");
     fs::write(&file, &source.text).map_err(|e| CheckingError::file(&file, &e))?;
     let mut arguments = common(library, "answer", folder.path());
+    // Several answers may come into one program; by this the linker tells them apart.
+    let mut distinct = OsString::from("-Cmetadata=");
+    distinct.push(folder.path().file_name().unwrap_or_default());
+    arguments.push(distinct);
     arguments.extend(
         [
             "--crate-type=rlib",
@@ -73,13 +82,14 @@ pub fn compile_answer(
         ]
         .map(OsString::from),
     );
-    let said = rustc(library, folder.path(), arguments, runner)?;
+    let said = rustc(library, folder.path(), arguments, Vec::new(), runner)?;
     let diagnostics = said.diagnostics("answer.rs", &source.shown_as);
     let compiled = folder.path().join("libanswer.rlib");
     Ok(if said.succeeded && compiled.is_file() {
         Ok(CompiledAnswer {
-            folder,
+            folder: Arc::new(folder),
             library: compiled,
+            shown_as: source.shown_as.clone(),
             diagnostics,
         })
     } else {
@@ -98,39 +108,116 @@ pub fn compile_answer(
 /// The compiler does not start, or a file cannot be written.
 pub fn compile_tests(
     library: &Library,
-    answer: CompiledAnswer,
+    answer: &CompiledAnswer,
     tests: &Source,
     runner: &Runner,
 ) -> Result<Result<Program, Vec<Diagnostic>>, CheckingError> {
-    let folder = answer.folder;
+    let folder = Arc::clone(&answer.folder);
     let file = folder.path().join("tests.rs");
     // Behind the last line, so that the others keep their numbers: only a crate that is named is looked into.
     let text = format!("{}\nextern crate instances as _;\n", tests.text);
     fs::write(&file, text).map_err(|e| CheckingError::file(&file, &e))?;
-    let mut arguments = common(library, "tests", folder.path());
-    let named = |name: &str, path: &Path| {
-        let mut argument = OsString::from(format!("--extern={name}="));
-        argument.push(path);
-        argument
-    };
-    arguments.push(named("answer", &answer.library));
-    arguments.push(named("proptest", &library.proptest));
-    arguments.push(named("instances", &library.instances));
-    arguments
-        .extend(["--crate-type=bin", "-Adead_code", "tests.rs", "-o", "tests"].map(OsString::from));
-    arguments.extend(linker(library, folder.path())?);
-    let said = rustc(library, folder.path(), arguments, runner)?;
+    let answers = [("answer".to_owned(), answer)];
+    let said = build(library, folder.path(), "tests.rs", &answers, runner)?;
     let path = folder.path().join("tests");
     Ok(if said.succeeded && path.is_file() {
-        Ok(Program { folder, path })
+        Ok(Program {
+            folder,
+            path,
+            answer: None,
+        })
     } else {
-        let diagnostics = said.diagnostics("tests.rs", &tests.shown_as);
+        let mut diagnostics = said.diagnostics("tests.rs", &tests.shown_as);
+        // They also point to what they call.
+        let own = format!("--> {}:", answer.shown_as);
+        for diagnostic in &mut diagnostics {
+            diagnostic.rendered = diagnostic.rendered.replace("--> answer.rs:", &own);
+        }
         Err(if diagnostics.is_empty() {
             vec![said.ended()]
         } else {
             diagnostics
         })
     })
+}
+
+/// Compiles the tests against several answers, into one program; each run of it tests one of them.
+///
+/// This takes much less time than a program for each: the compiler starts and links once, and most of what the tests
+/// call has nothing to do with the answers. `None` if the tests do not compile with all of them; which one is to blame,
+/// [`compile_tests`] tells.
+///
+/// # Errors
+///
+/// The compiler does not start, or a file cannot be written.
+pub fn compile_together(
+    library: &Library,
+    answers: &[&CompiledAnswer],
+    tests: &TestsSource,
+    runner: &Runner,
+) -> Result<Option<Vec<Program>>, CheckingError> {
+    let folder = new_folder(library)?;
+    let write = |file: &Path, text: &str| {
+        let file = folder.path().join(file);
+        file.parent()
+            .map_or(Ok(()), fs::create_dir_all)
+            .and_then(|()| fs::write(&file, text))
+            .map_err(|e| CheckingError::file(&file, &e))
+    };
+    let mut main = String::new();
+    let mut entries = String::new();
+    let mut named = Vec::new();
+    for (number, &answer) in answers.iter().enumerate() {
+        let name = format!("answer_{number}");
+        // A file of the usual name: where an assertion stands says what a panic means.
+        let file = format!("{number}/tests.rs");
+        write(Path::new(&file), &tests.module(&name))?;
+        main.push_str(&format!("#[path = \"{file}\"]\nmod tests_{number};\n"));
+        entries.push_str(&format!("tests_{number}::workbook_entry(), "));
+        named.push((name, answer));
+    }
+    main.push_str(&format!(
+        "fn main() -> ::std::process::ExitCode {{ ::cagd::check::harness::main_of(&[{entries}]) }}\n\
+         extern crate instances as _;\n"
+    ));
+    write(Path::new("main.rs"), &main)?;
+    let said = build(library, folder.path(), "main.rs", &named, runner)?;
+    let path = folder.path().join("tests");
+    if !said.succeeded || !path.is_file() {
+        return Ok(None);
+    }
+    let folder = Arc::new(folder);
+    let programs = (0..answers.len()).map(|number| Program {
+        folder: Arc::clone(&folder),
+        path: path.clone(),
+        answer: Some(number),
+    });
+    Ok(Some(programs.collect()))
+}
+
+/// Compiles the program `tests` from a file in this folder and these answers, each with its name there.
+fn build(
+    library: &Library,
+    folder: &Path,
+    file: &str,
+    answers: &[(String, &CompiledAnswer)],
+    runner: &Runner,
+) -> Result<Said, CheckingError> {
+    let mut arguments = common(library, "tests", folder);
+    let mut named = |name: &str, path: &Path| {
+        let mut argument = OsString::from(format!("--extern={name}="));
+        argument.push(path);
+        arguments.push(argument);
+    };
+    for (name, answer) in answers {
+        named(name, &answer.library);
+    }
+    named("proptest", &library.proptest);
+    named("instances", &library.instances);
+    arguments.extend(["--crate-type=bin", "-Adead_code", file, "-o", "tests"].map(OsString::from));
+    arguments.extend(linker(library, folder)?);
+    let readable = answers.iter().map(|(_, answer)| answer.library.clone());
+    rustc(library, folder, arguments, readable.collect(), runner)
 }
 
 /// The words that no answer may use.
@@ -306,25 +393,29 @@ impl Said {
     }
 }
 
-/// Runs the compiler in a folder.
+/// Runs the compiler in a folder; it sees the library and what is `readable` besides.
 pub(super) fn rustc(
     library: &Library,
     folder: &Path,
     arguments: Vec<OsString>,
+    mut readable: Vec<PathBuf>,
     runner: &Runner,
 ) -> Result<Said, CheckingError> {
+    // What is in the folder can be read anyway.
+    readable.retain(|path| !path.starts_with(folder));
+    // Cargo puts the package's own library beside the folder of its dependencies.
+    readable.extend([
+        library.sysroot.clone(),
+        library.dependencies.clone(),
+        library.instances.clone(),
+    ]);
     let job = Job {
         program: library.rustc.clone(),
         arguments,
         // The linker and the compiler's own helpers are found by it.
         environment: vec![("PATH".into(), "/usr/local/bin:/usr/bin:/bin".into())],
         scratch: folder.to_path_buf(),
-        // Cargo puts the package's own library beside the folder of its dependencies.
-        readable: vec![
-            library.sysroot.clone(),
-            library.dependencies.clone(),
-            library.instances.clone(),
-        ],
+        readable,
         needs_system: true,
         limits: Limits::compiler(),
     };

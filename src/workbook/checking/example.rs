@@ -257,7 +257,7 @@ fn compile(
     // As in the tests of the book, an example may leave things unused.
     arguments.extend(["--crate-type=bin", "-Aunused", FILE, "-o", "example"].map(OsString::from));
     arguments.extend(linker(library, folder.path())?);
-    let said = rustc(library, folder.path(), arguments, runner)?;
+    let said = rustc(library, folder.path(), arguments, Vec::new(), runner)?;
     let mut diagnostics = said.diagnostics(FILE, FILE);
     for diagnostic in &mut diagnostics {
         diagnostic.line = diagnostic

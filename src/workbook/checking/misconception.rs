@@ -1,14 +1,13 @@
 //! Which mutant an answer behaves like.
 
 use std::fs;
-use std::thread;
 
 use super::CheckingError;
 use super::check::Checker;
 use super::compile::Source;
 use super::library::{hex, replace};
 use super::verdict::Misconception;
-use crate::book::exercise::{Exercise, Tested, Variant};
+use crate::book::exercise::{Exercise, Tested};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -77,29 +76,20 @@ fn probes_of_mutants(
     {
         return Ok(known);
     }
-    let probe = |mutant: &Variant| {
-        let source = Source {
+    let sources: Vec<Source> = tested
+        .mutants
+        .iter()
+        .map(|mutant| Source {
             shown_as: mutant.file.display().to_string(),
             text: mutant.text.clone(),
-        };
-        let values = checker.probes(exercise, tested, &source)?;
-        Ok(values.map(|values| (mutant.name.clone(), values)))
-    };
-    // A reader waits for the first wrong answer to an exercise, so all mutants are compiled at once.
-    let found: Vec<Result<Option<OfMutant>, CheckingError>> = thread::scope(|scope| {
-        let probe = &probe;
-        let begun: Vec<_> = tested
-            .mutants
-            .iter()
-            .map(|mutant| (mutant, scope.spawn(move || probe(mutant))))
-            .collect();
-        begun
-            .into_iter()
-            .map(|(mutant, handle)| handle.join().unwrap_or_else(|_| probe(mutant)))
-            .collect()
-    });
-    let mutants = found.into_iter().filter_map(Result::transpose);
-    let mutants = mutants.collect::<Result<_, _>>()?;
+        })
+        .collect();
+    // A reader waits for the first wrong answer to an exercise.
+    let found = checker.probes(exercise, tested, &sources.iter().collect::<Vec<_>>())?;
+    let named = tested.mutants.iter().zip(found);
+    let mutants = named
+        .filter_map(|(mutant, values)| Some((mutant.name.clone(), values?)))
+        .collect();
     let probes = Probes { mutants };
     let text = serde_json::to_vec(&probes).map_err(|e| CheckingError::file(&file, &e.into()))?;
     replace(&file, &text)?;

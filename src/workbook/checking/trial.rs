@@ -11,7 +11,7 @@ use super::CheckingError;
 use super::compile::Program;
 use super::runner::Runner;
 use super::verdict::{PictureStroke, TestOutcome, TestResult};
-use crate::check::harness::PROBES;
+use crate::check::harness::{ANSWER, PROBES, PROBES_UNLESS_PASSED};
 use crate::check::report::{Failure, Message};
 use crate::check::{Picture, Role};
 use crate::workbook::sandbox::{Ending, Job, Limits, Run};
@@ -25,6 +25,19 @@ pub struct Results {
     pub output: String,
     /// Whether the limit of time ended a run.
     pub took_too_long: bool,
+    /// What the answer does on the probe inputs, if that was asked for.
+    pub probes: Option<Vec<String>>,
+}
+
+/// Whether the probes are run behind the tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WithProbes {
+    /// Never.
+    No,
+    /// If a test has failed: a right answer has no misconception.
+    UnlessPassed,
+    /// In any case.
+    Always,
 }
 
 /// What happens to the other tests once one has run into the limit of time.
@@ -60,13 +73,20 @@ pub fn run_tests(
     limits: &Limits,
     runner: &Runner,
     after_too_long: AfterTooLong,
+    with_probes: WithProbes,
 ) -> Result<Results, CheckingError> {
     let mut results: Vec<TestResult> = Vec::new();
+    let mut probes = None;
+    let asked = match with_probes {
+        WithProbes::No => None,
+        WithProbes::UnlessPassed => Some(PROBES_UNLESS_PASSED),
+        WithProbes::Always => Some(PROBES),
+    };
     let mut output = String::new();
     let mut took_too_long = false;
     let mut why_not_run = "the program ended before this test had a result";
     for _ in 0..RESTARTS {
-        let open: Vec<&str> = tests
+        let mut open: Vec<&str> = tests
             .iter()
             .copied()
             .filter(|test| !results.iter().any(|result| result.test == *test))
@@ -74,6 +94,7 @@ pub fn run_tests(
         if open.is_empty() {
             break;
         }
+        open.extend(asked);
         let (messages, run) = run_once(program, &open, seed, limits, runner)?;
         output.push_str(&String::from_utf8_lossy(&run.stdout));
         output.push_str(&String::from_utf8_lossy(&run.stderr));
@@ -90,6 +111,9 @@ pub fn run_tests(
                     if begun.take_if(|begun| *begun == test).is_some() =>
                 {
                     results.push(failed(test, failure));
+                }
+                Message::Probes(values) if begun.is_none() && !values.is_empty() => {
+                    probes = Some(values);
                 }
                 _ => {}
             }
@@ -127,6 +151,7 @@ pub fn run_tests(
         tests: tests.collect(),
         output,
         took_too_long,
+        probes,
     })
 }
 
@@ -203,7 +228,14 @@ fn run_once(
             ("PROPTEST_RNG_SEED".into(), seed.to_string().into()),
             ("PROPTEST_DISABLE_FAILURE_PERSISTENCE".into(), "true".into()),
             ("RUST_BACKTRACE".into(), "0".into()),
-        ],
+        ]
+        .into_iter()
+        .chain(
+            program
+                .answer
+                .map(|number| (ANSWER.into(), number.to_string().into())),
+        )
+        .collect(),
         scratch: scratch.path().to_path_buf(),
         readable: Vec::new(),
         needs_system: false,
@@ -232,9 +264,11 @@ fn result(test: String, outcome: TestOutcome, message: String) -> TestResult {
 
 /// The result of a test that panicked: by an assertion, or by a panic of the answer.
 fn failed(test: String, failure: Failure) -> TestResult {
+    // In a program with several answers, the tests stand in a folder for each.
+    let in_tests = failure.place.starts_with("tests.rs") || failure.place.contains("/tests.rs");
     let by_assertion = failure.finding.is_some()
         || !failure.place.starts_with("answer.rs")
-            && (failure.place.starts_with("tests.rs") || failure.place.contains("proptest"));
+            && (in_tests || failure.place.contains("proptest"));
     let outcome = if by_assertion {
         TestOutcome::Rejected
     } else {

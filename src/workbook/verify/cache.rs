@@ -18,12 +18,13 @@ use crate::workbook::checking::library::{Library, hex, replace};
 use crate::workbook::checking::{Checker, CheckingError};
 
 /// The sources that decide what a report says; whoever changes them makes every record stale.
-const VERIFIER: [&str; 7] = [
+const VERIFIER: [&str; 8] = [
     include_str!("candidate.rs"),
     include_str!("trial.rs"),
     include_str!("judge.rs"),
     include_str!("report.rs"),
     include_str!("to_do.rs"),
+    include_str!("../checking/check.rs"),
     include_str!("../checking/compile.rs"),
     include_str!("../checking/trial.rs"),
 ];

@@ -1,16 +1,15 @@
 //! Many exercises at once, on all cores, with the cache.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use super::cache::{self, Record};
 use super::candidate::Candidate;
 use super::judge::{exempt, judge};
 use super::report::Report;
-use super::trial::{self, Trial};
+use super::trial;
 use crate::book::exercise::{Exercise, Tested};
 use crate::workbook::checking::{Checker, CheckingError};
+use crate::workbook::parallel::{cores, in_parallel};
 
 /// The report about an exercise, and how it came about.
 #[derive(Debug, Clone)]
@@ -40,9 +39,9 @@ struct Open<'a> {
     place: usize,
     exercise: &'a Exercise,
     tested: &'a Tested,
+    candidates: Vec<Candidate>,
     key: String,
     last: Option<Record>,
-    trials: Mutex<Vec<Option<Trial>>>,
 }
 
 /// Verifies exercises, in parallel, and returns a report for each of them in the same order.
@@ -61,7 +60,6 @@ pub fn verify(
 ) -> Result<Vec<Verified>, CheckingError> {
     let mut verified: Vec<Option<Verified>> = vec![None; exercises.len()];
     let mut open = Vec::new();
-    let mut jobs: Vec<(usize, usize, Candidate)> = Vec::new();
     for (place, &exercise) in exercises.iter().enumerate() {
         let Some(tested) = &exercise.tested else {
             verified[place] = Some(Verified {
@@ -81,80 +79,43 @@ pub fn verify(
                     from_cache: true,
                 });
             }
-            last => {
-                let candidates = Candidate::all(exercise, tested);
-                let trials = Mutex::new(vec![None; candidates.len()]);
-                let which = open.len();
-                let numbered = candidates.into_iter().enumerate();
-                jobs.extend(numbered.map(|(number, candidate)| (which, number, candidate)));
-                open.push(Open {
-                    place,
-                    exercise,
-                    tested,
-                    key,
-                    last,
-                    trials,
-                });
-            }
+            last => open.push(Open {
+                place,
+                exercise,
+                tested,
+                candidates: Candidate::all(exercise, tested),
+                key,
+                last,
+            }),
         }
     }
-
-    let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let found: Mutex<Vec<(usize, Result<Verified, CheckingError>)>> = Mutex::new(Vec::new());
-    let work = || {
-        while let Some((which, number, candidate)) = jobs.get(next.fetch_add(1, Ordering::Relaxed))
-        {
-            let open = &open[*which];
-            let result = open.try_out(checker, *number, candidate.clone());
-            let result = match result {
-                Ok(None) => None,
-                Ok(Some(verified)) => Some(Ok(verified)),
-                Err(error) => {
-                    // The same would happen to the others.
-                    next.store(jobs.len(), Ordering::Relaxed);
-                    Some(Err(error))
-                }
-            };
-            if let Some(result) = result {
-                lock(&found).push((open.place, result));
-            }
+    let all = open.iter().map(|open| open.candidates.len()).sum();
+    let finished = AtomicUsize::new(0);
+    let found = in_parallel(&open, cores(), |open| {
+        let tell = || {
             tell(Progress {
                 finished: finished.fetch_add(1, Ordering::Relaxed) + 1,
-                all: jobs.len(),
+                all,
                 exercise: open.exercise,
             });
-        }
-    };
-    let cores = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        for _ in 0..cores.min(jobs.len()) {
-            scope.spawn(work);
-        }
-    });
-    for (place, result) in found.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        verified[place] = Some(result?);
+        };
+        Ok::<_, CheckingError>((open.place, open.verify(checker, &tell)?))
+    })?;
+    for (place, result) in found {
+        verified[place] = Some(result);
     }
-    // Without an error each exercise has its report.
+    // Each exercise has its report now.
     Ok(verified.into_iter().flatten().collect())
 }
 
 impl Open<'_> {
-    /// Tries one answer; after the last one the exercise is judged and the record written.
-    fn try_out(
+    /// Tries all answers, judges the exercise and writes the record.
+    fn verify(
         &self,
         checker: &Checker,
-        number: usize,
-        candidate: Candidate,
-    ) -> Result<Option<Verified>, CheckingError> {
-        let trial = trial::run(checker, self.exercise, self.tested, candidate)?;
-        let trials: Vec<Trial> = {
-            let mut trials = lock(&self.trials);
-            trials[number] = Some(trial);
-            if trials.iter().any(Option::is_none) {
-                return Ok(None);
-            }
-            trials.drain(..).flatten().collect()
-        };
+        tell: &(dyn Fn() + Sync),
+    ) -> Result<Verified, CheckingError> {
+        let trials = trial::run(checker, self.exercise, self.tested, &self.candidates, tell)?;
         let report = judge(self.exercise, self.tested, &trials);
         let record = Record {
             key: self.key.clone(),
@@ -162,11 +123,11 @@ impl Open<'_> {
             report,
         };
         cache::write(checker, self.exercise, &record)?;
-        Ok(Some(Verified {
+        Ok(Verified {
             report: record.report,
             before: record.before,
             from_cache: false,
-        }))
+        })
     }
 
     /// The last report about another state of the exercise.
@@ -178,9 +139,4 @@ impl Open<'_> {
             Some(last.report.clone())
         }
     }
-}
-
-/// The content of a lock; a thread that panicked while it held it has not left it half written.
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

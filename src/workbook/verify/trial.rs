@@ -1,19 +1,24 @@
-//! One answer of an exercise is compiled and run.
+//! The answers of an exercise are compiled and run.
 
 use std::time::Instant;
 
 use super::candidate::{Candidate, Role};
 use crate::book::exercise::{Exercise, Tested};
-use crate::workbook::checking::compile::{Source, compile_answer, compile_tests};
-use crate::workbook::checking::trial::{AfterTooLong, run_probes, run_tests};
+use crate::workbook::checking::check::Compiled;
+use crate::workbook::checking::compile::Source;
+use crate::workbook::checking::trial::{AfterTooLong, WithProbes, run_probes, run_tests};
 use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 use crate::workbook::checking::{Checker, CheckingError};
+use crate::workbook::parallel::in_parallel;
 
 /// The seed of the random inputs with which every answer is tried.
 const SEED: u64 = 1;
 
 /// How many other seeds the solution must stand.
 pub const OTHER_SEEDS: u64 = 20;
+
+/// How many answers of one exercise are run at a time; other exercises use the other cores.
+const AT_ONCE: usize = 2;
 
 /// How compiling ended.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,7 +83,9 @@ pub(super) fn first_failure(results: &[TestResult]) -> Option<&TestResult> {
     results.iter().find(|r| r.outcome != TestOutcome::Passed)
 }
 
-/// Compiles and runs one answer.
+/// Compiles and runs answers of an exercise; `tell` is called whenever one is finished.
+///
+/// The solution is compiled as an answer of a reader is, the others together.
 ///
 /// # Errors
 ///
@@ -87,70 +94,87 @@ pub fn run(
     checker: &Checker,
     exercise: &Exercise,
     tested: &Tested,
-    candidate: Candidate,
+    candidates: &[Candidate],
+    tell: &(dyn Fn() + Sync),
+) -> Result<Vec<Trial>, CheckingError> {
+    let (solutions, others): (Vec<&Candidate>, Vec<&Candidate>) = candidates
+        .iter()
+        .partition(|candidate| candidate.role == Role::Solution);
+    let groups: Vec<&[&Candidate]> = solutions.chunks(1).chain([others.as_slice()]).collect();
+    let trials = in_parallel(&groups, groups.len(), |group| {
+        let start = Instant::now();
+        let sources: Vec<&Source> = group.iter().map(|candidate| &candidate.source).collect();
+        let compiled = checker.compile_all(exercise, tested, &sources)?;
+        let share = start.elapsed().as_secs_f64() / group.len().max(1) as f64;
+        let pairs: Vec<(&&Candidate, Compiled)> = group.iter().zip(compiled).collect();
+        in_parallel(&pairs, AT_ONCE, |(candidate, compiled)| {
+            let start = Instant::now();
+            let mut trial = try_out(checker, tested, candidate, compiled)?;
+            trial.seconds = share + start.elapsed().as_secs_f64();
+            tell();
+            Ok::<_, CheckingError>(trial)
+        })
+    })?;
+    let mut trials: Vec<Trial> = trials.into_iter().flatten().collect();
+    // The judge finds them in the order of the candidates.
+    trials.sort_by_key(|trial| {
+        let is_of =
+            |c: &Candidate| c.role == trial.candidate.role && c.name == trial.candidate.name;
+        candidates.iter().position(is_of)
+    });
+    Ok(trials)
+}
+
+/// Runs a compiled answer.
+fn try_out(
+    checker: &Checker,
+    tested: &Tested,
+    candidate: &Candidate,
+    compiled: &Compiled,
 ) -> Result<Trial, CheckingError> {
-    let start = Instant::now();
+    let (runner, limits) = (checker.runner(), checker.limits());
     let mut trial = Trial {
-        candidate,
+        candidate: candidate.clone(),
         compilation: Compilation::Refused(Vec::new()),
         results: Vec::new(),
         probes: None,
         failing_seed: None,
         seconds: 0.0,
     };
-    try_out(checker, exercise, tested, &mut trial)?;
-    trial.seconds = start.elapsed().as_secs_f64();
-    Ok(trial)
-}
-
-fn try_out(
-    checker: &Checker,
-    exercise: &Exercise,
-    tested: &Tested,
-    trial: &mut Trial,
-) -> Result<(), CheckingError> {
-    let (library, runner) = (checker.library(), checker.runner());
-    let answer = match compile_answer(library, &trial.candidate.source, runner)? {
-        Ok(answer) => answer,
-        Err(diagnostics) => {
-            trial.compilation = Compilation::Refused(diagnostics);
-            return Ok(());
+    let program = match compiled {
+        Compiled::Program(program, warnings) => {
+            trial.compilation = Compilation::Compiled(warnings.clone());
+            program
+        }
+        Compiled::Refused(errors) => {
+            trial.compilation = Compilation::Refused(errors.clone());
+            return Ok(trial);
+        }
+        Compiled::RefusedWithTests(errors) => {
+            trial.compilation = Compilation::RefusedWithTests(errors.clone());
+            return Ok(trial);
         }
     };
-    let warnings = answer.diagnostics.clone();
-    let tests = Source {
-        shown_as: exercise.folder.join("tests.rs").display().to_string(),
-        text: tested.tests.program(),
-    };
-    let program = match compile_tests(library, answer, &tests, runner)? {
-        Ok(program) => program,
-        Err(diagnostics) => {
-            trial.compilation = Compilation::RefusedWithTests(diagnostics);
-            return Ok(());
-        }
-    };
-    trial.compilation = Compilation::Compiled(warnings);
     let names: Vec<&str> = tested.tests.tests.iter().map(|t| t.name.as_str()).collect();
-    let run = |seed| {
-        run_tests(
-            &program,
-            &names,
-            seed,
-            checker.limits(),
-            runner,
-            AfterTooLong::RunTheOthers,
-        )
+    let run = |seed, probes| {
+        let after = AfterTooLong::RunTheOthers;
+        run_tests(program, &names, seed, limits, runner, after, probes)
     };
-    trial.results = run(SEED)?.tests;
-    trial.probes = run_probes(&program, checker.limits(), runner)?;
+    let results = run(SEED, WithProbes::Always)?;
+    trial.results = results.tests;
+    trial.probes = match results.probes {
+        // An answer that has ended the program may still answer the probes.
+        None if tested.tests.has_probes => run_probes(program, limits, runner)?,
+        probes => probes,
+    };
     if trial.candidate.role == Role::Solution && first_failure(&trial.results).is_none() {
         for seed in (SEED + 1)..=(SEED + OTHER_SEEDS) {
-            let results = run(seed)?.tests;
+            let results = run(seed, WithProbes::No)?.tests;
             if let Some(failure) = first_failure(&results) {
                 trial.failing_seed = Some((seed, failure.clone()));
                 break;
             }
         }
     }
-    Ok(())
+    Ok(trial)
 }
