@@ -2,6 +2,8 @@
 
 mod compute;
 mod grading;
+mod hidden;
+mod instances;
 mod pack;
 mod reader;
 mod sabotage;

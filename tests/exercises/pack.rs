@@ -138,12 +138,16 @@ impl Pack {
         fs::write(path, text.replacen(from, to, 1)).expect("it can be written");
     }
 
-    /// Reads the pack.
-    pub fn load(&self) -> Result<Exercise, BookErrors> {
+    /// Reads the pack; without a book there are its exercises alone.
+    pub fn exercises(&self) -> Result<Exercises, BookErrors> {
         let catalogue = Catalogue::load(&crate::root()).expect("the catalogue loads");
         let pack = self.folder.path().join("pack");
-        // Without a book there are the exercises of the pack alone.
-        let exercises = Exercises::load(self.folder.path(), &[pack], &catalogue)?;
+        Exercises::load(self.folder.path(), &[pack], &catalogue)
+    }
+
+    /// Reads the exercise.
+    pub fn load(&self) -> Result<Exercise, BookErrors> {
+        let exercises = self.exercises()?;
         let name = NAME.parse().expect("a name");
         Ok(exercises.get(&name).expect("it is in the pack").clone())
     }

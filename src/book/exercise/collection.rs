@@ -273,7 +273,7 @@ fn read(root: &Path, folder: &Path, name: &ExerciseName) -> Result<Exercise, Vec
 }
 
 /// The `.rs` files of a folder.
-fn variants(
+pub(super) fn variants(
     root: &Path,
     folder: &Path,
     are_wrong: bool,

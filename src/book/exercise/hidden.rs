@@ -1,12 +1,13 @@
-//! Hidden tests: more tests for an exercise, kept in a pack, that only `grade` runs.
+//! Hidden tests: more tests for an exercise, kept in a pack, that readers do not see.
 //!
 //! A folder `<chapter>/<name>/` of a pack that holds `tests.rs` and no `exercise.md` belongs to the exercise of that
 //! name in the book or in another pack. Its tests are written as those of an exercise; `probes` is not needed.
+//! `mutants/` may hold wrong answers that only they reject, by which `verify` sees what they are good for.
 
 use std::path::{Path, PathBuf};
 
-use super::collection::{entries, folders_of, mistake};
-use super::{ExerciseName, Exercises, Tested, TestsSource};
+use super::collection::{entries, folders_of, mistake, variants};
+use super::{ExerciseName, Exercises, Tested, TestsSource, Variant};
 use crate::book::error::{BookError, BookErrors, Problem};
 
 /// The hidden tests of one exercise.
@@ -18,6 +19,8 @@ pub struct HiddenTests {
     pub file: PathBuf,
     /// The tests.
     pub tests: TestsSource,
+    /// Wrong answers that pass the tests of the exercise, by name.
+    pub mutants: Vec<Variant>,
 }
 
 impl HiddenTests {
@@ -89,12 +92,12 @@ fn read(
     };
     let mut errors = Vec::new();
     for entry in entries(&root.join(folder)) {
-        if entry != "tests.rs" {
+        if !["tests.rs", "mutants"].contains(&entry.as_str()) {
             errors.push(mistake(
                 folder.join(entry),
                 1,
                 "this does not belong here",
-                "hidden tests are `tests.rs` alone; an exercise has `exercise.md` as well",
+                "hidden tests are `tests.rs` and, if you like, `mutants/`; an exercise has `exercise.md` as well",
             ));
         }
     }
@@ -122,11 +125,13 @@ fn read(
             errors.push(mistake(&file, test.line, found, "rename the hidden one"));
         }
     }
+    let mutants = variants(root, &folder.join("mutants"), true, &mut errors);
     if errors.is_empty() {
         Ok(HiddenTests {
             exercise: name.clone(),
             file,
             tests,
+            mutants,
         })
     } else {
         Err(errors)

@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::grade::{must_be_writable, to_file};
 use crate::book::catalogue::Catalogue;
-use crate::book::exercise::{Exercise, ExerciseName, Exercises, Mistakes};
+use crate::book::exercise::{Exercise, ExerciseName, Exercises, HiddenTests, Mistakes};
 use crate::workbook::checking::Checker;
 use crate::workbook::command_line::{Failure, Outcome};
 use crate::workbook::house;
@@ -17,7 +17,7 @@ use crate::workbook::verify::judge::unreadable;
 use crate::workbook::verify::report::Report;
 use crate::workbook::verify::session::Progress;
 use crate::workbook::verify::text::Text;
-use crate::workbook::verify::{Verified, junit, verify};
+use crate::workbook::verify::{Verified, hidden, junit, verify};
 
 /// What `verify` is asked.
 #[derive(Debug, Args)]
@@ -34,7 +34,7 @@ pub struct Verify {
     /// Try every answer again, also where nothing has changed
     #[arg(long)]
     no_cache: bool,
-    /// Read the exercises of this pack as well
+    /// Read the exercises and hidden tests of this pack as well
     #[arg(long, value_name = "DIR")]
     pack: Vec<PathBuf>,
     /// Show which test rejects which answer
@@ -68,6 +68,24 @@ impl Verify {
             bar.set_message(progress.exercise.name.to_string());
             bar.inc(1);
         })?;
+        let hidden = HiddenTests::load(&root, &packs, &exercises);
+        if let Err(errors) = &hidden {
+            bar.suspend(|| eprintln!("{errors}\n"));
+        }
+        let can_read_all = hidden.is_ok();
+        for hidden in hidden.into_iter().flatten() {
+            let exercise = chosen.iter().find(|e| e.name == hidden.exercise);
+            let report = verified
+                .iter_mut()
+                .map(|v| &mut v.report)
+                .find(|report| report.exercise == hidden.exercise);
+            if let (Some(exercise), Some(report)) = (exercise, report)
+                && let Some(tested) = &exercise.tested
+            {
+                bar.set_message(format!("hidden tests of {}", exercise.name));
+                hidden::add(&checker, exercise, tested, &hidden, report)?;
+            }
+        }
         bar.finish_and_clear();
         verified.extend(unreadable);
 
@@ -89,7 +107,7 @@ impl Verify {
             write!(anstream::stdout(), "{text}")?;
         }
         let is_sound = verified.iter().all(|v| v.report.is_sound());
-        Ok(if is_sound {
+        Ok(if is_sound && can_read_all {
             Outcome::Fine
         } else {
             Outcome::FallsShort

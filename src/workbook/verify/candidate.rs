@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::book::exercise::{Exercise, Tested};
+use crate::book::exercise::{Exercise, Tested, Variant};
 use crate::workbook::checking::compile::Source;
 
 /// What an answer is there for.
@@ -19,6 +19,8 @@ pub enum Role {
     Mutant,
     /// Another right answer; it must pass.
     Alternative,
+    /// A wrong answer that only hidden tests must reject.
+    HiddenMutant,
 }
 
 /// An answer that an exercise brings.
@@ -64,6 +66,23 @@ impl Candidate {
         }
         all
     }
+
+    /// A wrong answer that stands beside hidden tests.
+    pub fn hidden(mutant: &Variant) -> Self {
+        Self {
+            role: Role::HiddenMutant,
+            name: mutant.name.clone(),
+            source: Source {
+                shown_as: mutant.file.display().to_string(),
+                text: mutant.text.clone(),
+            },
+        }
+    }
+
+    /// Whether tests must reject it.
+    pub fn is_wrong(&self) -> bool {
+        !matches!(self.role, Role::Solution | Role::Alternative)
+    }
 }
 
 impl fmt::Display for Role {
@@ -73,6 +92,7 @@ impl fmt::Display for Role {
             Self::Solution => "solution",
             Self::Mutant => "mutant",
             Self::Alternative => "alternative",
+            Self::HiddenMutant => "hidden mutant",
         })
     }
 }

@@ -46,6 +46,7 @@ fn nothing_tried(name: &ExerciseName, kind: Option<ExerciseKind>) -> Report {
         alternatives: None,
         tests: None,
         matrix: None,
+        hidden: None,
         shortcomings: Vec::new(),
     }
 }
@@ -189,6 +190,8 @@ impl Judge<'_> {
             Role::Starter | Role::Solution => folder.join("answer.rs"),
             Role::Mutant => folder.join("mutants").join(format!("{name}.rs")),
             Role::Alternative => folder.join("alternatives").join(format!("{name}.rs")),
+            // Nothing of the exercise; its source is called as its file.
+            Role::HiddenMutant => trial.candidate.source.shown_as.clone().into(),
         };
         file.display().to_string()
     }
@@ -352,13 +355,13 @@ impl Judge<'_> {
 }
 
 /// What the compiler says, without the empty lines behind.
-fn rendered(diagnostics: &[Diagnostic]) -> String {
+pub(super) fn rendered(diagnostics: &[Diagnostic]) -> String {
     let texts: Vec<&str> = diagnostics.iter().map(|d| d.rendered.trim_end()).collect();
     texts.join("\n")
 }
 
 /// What a test does to an answer.
-fn verb(outcome: TestOutcome) -> &'static str {
+pub(super) fn verb(outcome: TestOutcome) -> &'static str {
     match outcome {
         TestOutcome::Passed => "passes",
         TestOutcome::Rejected => "rejects",

@@ -10,6 +10,7 @@
 //! | [`candidate`] | the answers that an exercise brings: starter, solution, mutants, alternatives |
 //! | [`trial`] | one of them is compiled and run |
 //! | [`judge`] | the rules: what the trials must show |
+//! | [`hidden`] | the same for the hidden tests of a pack |
 //! | [`to_do`] | what an author has left open |
 //! | [`report`] | what `verify --json` prints |
 //! | [`session`] | many exercises at once, on all cores, with the cache |
@@ -19,6 +20,7 @@
 
 pub mod cache;
 pub mod candidate;
+pub mod hidden;
 pub mod judge;
 pub mod junit;
 pub mod report;

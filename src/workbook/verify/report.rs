@@ -1,5 +1,7 @@
 //! What `verify --json` prints about an exercise.
 
+use std::path::PathBuf;
+
 use serde::{Deserialize, Serialize};
 
 use crate::book::exercise::{ExerciseKind, ExerciseName};
@@ -26,6 +28,8 @@ pub struct Report {
     pub tests: Option<Vec<TestReport>>,
     /// How each test ended with each answer.
     pub matrix: Option<Vec<Column>>,
+    /// What was found about the hidden tests of a pack, if it has some for this exercise.
+    pub hidden: Option<HiddenReport>,
     /// What falls short; empty if the exercise is sound.
     pub shortcomings: Vec<Shortcoming>,
 }
@@ -102,6 +106,17 @@ pub struct TestReport {
     pub rejects: Vec<String>,
     /// What no other test rejects.
     pub alone: Vec<String>,
+}
+
+/// What was found about hidden tests.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct HiddenReport {
+    /// Their file.
+    pub file: PathBuf,
+    /// The tests; what one rejects alone is rejected by no test of the exercise either.
+    pub tests: Vec<TestReport>,
+    /// How each test ended with each answer.
+    pub matrix: Vec<Column>,
 }
 
 /// How the tests ended with one answer.

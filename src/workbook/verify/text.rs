@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use anstyle::{AnsiColor, Style};
 
-use super::report::{Report, Shortcoming, TestReport};
+use super::report::{Column, HiddenReport, Report, Shortcoming, TestReport};
 use super::session::Verified;
 use crate::workbook::checking::verdict::TestOutcome;
 
@@ -32,6 +32,9 @@ impl fmt::Display for Text<'_> {
             }
             if self.matrix {
                 matrix(f, verified)?;
+            }
+            if let Some(hidden) = &verified.report.hidden {
+                with_hidden(f, hidden, self.matrix)?;
             }
         }
         summary(f, self.verified)
@@ -90,6 +93,29 @@ fn matrix(f: &mut fmt::Formatter<'_>, verified: &Verified) -> fmt::Result {
     let (Some(tests), Some(columns)) = (&report.tests, &report.matrix) else {
         return Ok(());
     };
+    table(f, tests, columns)?;
+    news(f, report, verified.before.as_ref())
+}
+
+/// What the hidden tests of a pack bring that the tests of the exercise do not.
+fn with_hidden(f: &mut fmt::Formatter<'_>, hidden: &HiddenReport, matrix: bool) -> fmt::Result {
+    writeln!(f, "    hidden tests in {}", hidden.file.display())?;
+    if matrix {
+        table(f, &hidden.tests, &hidden.matrix)?;
+    }
+    for test in &hidden.tests {
+        let name = &test.name;
+        let what = match test.alone.as_slice() {
+            [] => "nothing that nothing else rejects".to_owned(),
+            alone => format!("what nothing else rejects: {}", alone.join(", ")),
+        };
+        writeln!(f, "    hidden: `{name}` rejects {what}")?;
+    }
+    Ok(())
+}
+
+/// A line for each test, a column for each answer.
+fn table(f: &mut fmt::Formatter<'_>, tests: &[TestReport], columns: &[Column]) -> fmt::Result {
     let width = tests.iter().map(|t| t.name.chars().count()).max();
     let width = width.unwrap_or(0);
     let letters: Vec<char> = ('a'..='z').chain('A'..='Z').collect();
@@ -121,8 +147,7 @@ fn matrix(f: &mut fmt::Formatter<'_>, verified: &Verified) -> fmt::Result {
     writeln!(
         f,
         "    {FAINT}✗ rejects  · passes  ! panics  … ends or runs too long  ? not reached{FAINT:#}"
-    )?;
-    news(f, report, verified.before.as_ref())
+    )
 }
 
 fn sign(outcome: Option<TestOutcome>) -> char {

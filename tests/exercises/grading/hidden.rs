@@ -134,5 +134,5 @@ fn mistakes_are_told_with_file_and_remedy() {
     );
     let more = pack(NAME, TESTS);
     write(more.path(), NAME, "notes.txt", "");
-    told(&more, &["notes.txt:1", "`tests.rs` alone"]);
+    told(&more, &["notes.txt:1", "`mutants/`"]);
 }
