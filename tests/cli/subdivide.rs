@@ -1,6 +1,7 @@
 //! `subdivide` on meshes that a reader brings.
 
 use std::fs;
+use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -277,6 +278,11 @@ fn no_file_is_lost() {
     folder.refuses(
         "octahedron.obj --scheme loop -o no/such/out.obj",
         &["cannot be written", "next step"],
+    );
+    let _socket = UnixListener::bind(folder.path("socket.obj")).expect("a socket");
+    folder.refuses(
+        "octahedron.obj --scheme loop --force -o socket.obj",
+        &["`socket.obj` cannot be written (it is a folder or a device)"],
     );
     fs::create_dir(folder.path("folder.obj")).expect("a folder");
     folder.refuses(

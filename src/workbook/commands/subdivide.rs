@@ -262,8 +262,9 @@ impl Subdivide {
         if same.is_some_and(|(out, input)| out == input) {
             return Err(SubdivideError::SameFile(self.out.clone()));
         }
-        if self.out.is_dir() {
-            return Err(self.not_written(io::ErrorKind::IsADirectory.into()));
+        // A device such as `/dev/null` must not be replaced by a file.
+        if fs::metadata(&self.out).is_ok_and(|there| !there.is_file()) {
+            return Err(self.not_written(io::Error::other("it is a folder or a device")));
         }
         if self.out.exists() && !self.force {
             return Err(SubdivideError::Exists(self.out.clone()));
