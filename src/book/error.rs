@@ -130,7 +130,7 @@ pub enum Problem {
         first: Place,
     },
     /// A figure is not in the registry.
-    #[error("no figure is called `{id}`{}; figures are listed by `figures::all()` of their chapter", nearest(.near))]
+    #[error("no figure is called `{id}`{}; figures are listed in `src/<chapter>/figures/mod.rs`", nearest(.near))]
     UnknownFigure {
         /// The id.
         id: String,

@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use super::meshes::{Planted, Space, polygon_meshes, separated_meshes, triangle_meshes};
 use crate::generators::for_all_of;
 use crate::support::mutants::subdivision::invariants as mutants;
-use crate::support::mutants::subdivision::invariants::Step;
+use crate::support::mutants::subdivision::invariants::{Spoiled, Step};
 use crate::support::{Outcome, holds, rejects};
 
 /// A scheme, and what its step must be like.
@@ -85,10 +85,7 @@ fn for_all_schemes<I, S>(
     schemes: impl IntoIterator<Item = Scheme>,
     inputs: impl Fn(&Scheme) -> S,
     property: impl Fn(&Scheme, &dyn Fn(&Space) -> Result<Space, String>, &I) -> Sides<f64>,
-    mutants: &[(
-        &str,
-        fn(Step, &Space) -> cagd::subdivision::laws::Refined<Point<f64, 3>>,
-    )],
+    mutants: &[(&str, Spoiled)],
 ) where
     S: Strategy<Value = I>,
     I: std::fmt::Debug,

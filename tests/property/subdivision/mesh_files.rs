@@ -34,26 +34,30 @@ fn ply(mesh: &Space, encoding: Encoding) -> Vec<u8> {
 
 /// Every format by its name, the PLY of the workbook among them.
 fn formats() -> Vec<(&'static str, Write, Read)> {
-    let mut formats: Vec<(&'static str, Write, Read)> =
+    let formats: Vec<(&'static str, Write, Read)> =
         vec![("OBJ", obj, read_obj), ("OFF", off, read_off)];
     #[cfg(feature = "workbook")]
-    formats.extend([
-        (
-            "PLY",
-            (|mesh| ply(mesh, Encoding::Ascii)) as Write,
-            read_ply as Read,
-        ),
-        (
-            "PLY, little-endian",
-            |mesh| ply(mesh, Encoding::BinaryLittleEndian),
-            read_ply,
-        ),
-        (
-            "PLY, big-endian",
-            |mesh| ply(mesh, Encoding::BinaryBigEndian),
-            read_ply,
-        ),
-    ]);
+    let formats = [
+        formats,
+        vec![
+            (
+                "PLY",
+                (|mesh| ply(mesh, Encoding::Ascii)) as Write,
+                read_ply as Read,
+            ),
+            (
+                "PLY, little-endian",
+                |mesh| ply(mesh, Encoding::BinaryLittleEndian),
+                read_ply,
+            ),
+            (
+                "PLY, big-endian",
+                |mesh| ply(mesh, Encoding::BinaryBigEndian),
+                read_ply,
+            ),
+        ],
+    ]
+    .concat();
     formats
 }
 

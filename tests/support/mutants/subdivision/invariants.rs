@@ -9,6 +9,9 @@ type Space = Mesh<Point<f64, 3>>;
 /// The step of a scheme.
 pub type Step = fn(&Space) -> Refined<Point<f64, 3>>;
 
+/// A spoiled step, made of a right one.
+pub type Spoiled = fn(Step, &Space) -> Refined<Point<f64, 3>>;
+
 fn with_points(
     refined: &Space,
     point: impl FnMut(&Point<f64, 3>) -> Point<f64, 3>,
