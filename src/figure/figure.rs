@@ -155,7 +155,38 @@ impl Figure {
     #[must_use]
     pub fn stepper(self, name: &str, range: RangeInclusive<usize>, default: usize) -> Self {
         let (low, high) = (*range.start(), *range.end());
-        self.parameter(name, ParameterKind::Stepper { low, high, default })
+        let names = &[];
+        self.parameter(
+            name,
+            ParameterKind::Stepper {
+                low,
+                high,
+                default,
+                names,
+            },
+        )
+    }
+
+    /// One of several named things; its value is the index of the name, at first `default`.
+    ///
+    /// ```
+    /// use cagd::figure::{Figure, Value};
+    ///
+    /// let figure = Figure::new("demo", "Title", "Description.").choice("edges", &["smooth", "sharp"], 0);
+    /// assert_eq!(figure.parameters()[0].extremes(), vec![Value::Count(0), Value::Count(1)]);
+    /// ```
+    #[must_use]
+    pub fn choice(self, name: &str, names: &'static [&'static str], default: usize) -> Self {
+        let high = names.len().saturating_sub(1);
+        self.parameter(
+            name,
+            ParameterKind::Stepper {
+                low: 0,
+                high,
+                default,
+                names,
+            },
+        )
     }
 
     /// How panels are arranged: rows of panel names, from above.

@@ -7,7 +7,7 @@
 //! ```text
 //! Figure ── plot(values) ─▶ Plot ── svg() ─▶ SVG
 //!    │                        └── polyline("curve"), point("b(t)"), … ─▶ a check
-//!    └─ parameters: handles to drag, sliders, steppers
+//!    └─ parameters: handles to drag, sliders, steppers, choices
 //! ```
 //!
 //! # The visual language

@@ -51,6 +51,8 @@ pub enum ParameterKind {
         high: usize,
         /// The value at first.
         default: usize,
+        /// What the values stand for, from the least one on; empty if they are numbers.
+        names: &'static [&'static str],
     },
 }
 

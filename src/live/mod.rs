@@ -42,6 +42,8 @@ use crate::law::Relation;
 /// let (facts, svg) = answer.split_once("\n\n").expect("facts, then the picture");
 /// assert!(facts.contains("\nslider\tt\t0\t1\t0.5\t"));
 /// assert!(svg.starts_with("<svg"));
+/// let answer = cagd::live::answer("subdivision-limit-stencils\nscheme=3\n");
+/// assert!(answer.contains("\nstepper\tscheme\t0\t3\t3\tscheme: four-point\n"));
 /// assert!(cagd::live::answer("nothing\n\n").starts_with("error\tthere is no figure `nothing`"));
 /// ```
 #[derive(Debug, Clone, Default)]
@@ -227,8 +229,16 @@ impl Answer {
                     ],
                 );
             }
-            (ParameterKind::Stepper { low, high, .. }, Value::Count(value)) => {
-                let words = format!("{} = {value}", written(name));
+            (
+                ParameterKind::Stepper {
+                    low, high, names, ..
+                },
+                Value::Count(value),
+            ) => {
+                let words = match names.get(value - low) {
+                    Some(chosen) => format!("{}: {chosen}", written(name)),
+                    None => format!("{} = {value}", written(name)),
+                };
                 self.fact(
                     "stepper",
                     &[

@@ -324,7 +324,7 @@ const SPECIAL: &[(&str, &str, &str)] = &[
     ),
     (
         "subdivision-characteristic-map",
-        "scheme=6&k=9",
+        "scheme=5&k=9",
         "covers itself",
     ),
 ];

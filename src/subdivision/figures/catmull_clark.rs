@@ -7,7 +7,7 @@ use crate::subdivision::{
 };
 
 /// The radius of the ball on which the handle of the view lies.
-const KNOB: f64 = 2.2;
+const KNOB: f64 = 1.3;
 
 type Solid = Mesh<Point<f64, 3>>;
 
@@ -79,9 +79,9 @@ pub fn figure_catmull_clark() -> Figure {
          The face point has the weight 1/4 at the four vertices of its face. \
          The edge point has 3/8 at the two ends of the edge and 1/16 at the other four vertices of the faces beside it. \
          The vertex point has 9/16 at the old vertex, 3/32 at its four neighbours and 1/64 at the four opposite vertices. \
-         Below them a cube after a number of steps, which looks more and more like a ball.",
+         Beside it a cube after a number of steps, which looks more and more like a ball.",
     )
-    .rows(&[&PANELS, &["cube"]])
+    .rows(&[&PANELS[..2], &[PANELS[2], "cube"]])
     .stepper("steps", 0..=4, 2)
     .handle_in("cube", "view", View::degrees(32.0, 24.0).knob(KNOB))
     .draw(|values, canvas| {
@@ -183,9 +183,9 @@ pub fn creases() -> Figure {
          the top is bounded by a sharp rim, a closed smooth curve, and the rest is round. \
          With other edges made sharp the body becomes a drum, a pillow with four ridges, or the cube itself.",
     )
-    .stepper("top", 0..=1, 1)
-    .stepper("bottom", 0..=1, 0)
-    .stepper("sides", 0..=1, 0)
+    .choice("top", &["smooth", "sharp"], 1)
+    .choice("bottom", &["smooth", "sharp"], 0)
+    .choice("sides", &["smooth", "sharp"], 0)
     .stepper("steps", 0..=4, 3)
     .handle("view", View::degrees(32.0, 24.0).knob(KNOB))
     .draw(|values, canvas| {

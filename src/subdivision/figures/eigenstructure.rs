@@ -156,6 +156,16 @@ fn ring(
     Ok(())
 }
 
+/// The schemes of the figure of characteristic maps.
+const NAMES: [&str; 6] = [
+    "Loop",
+    "modified Butterfly",
+    "Catmull–Clark",
+    "Doo–Sabin",
+    "Kobbelt",
+    "unmodified Butterfly",
+];
+
 /// The characteristic net of a scheme, refined, with orientation and winding number.
 #[must_use]
 pub fn characteristic_map() -> Figure {
@@ -166,18 +176,20 @@ pub fn characteristic_map() -> Figure {
          The text above names the scheme and the valence and says how many faces are turned over, and how often the ring runs around the centre. \
          The schemes are, in this order: Loop, modified Butterfly, Catmull–Clark, Doo–Sabin, Kobbelt, and the unmodified Butterfly scheme.",
     )
-    .stepper("scheme", 1..=6, 1)
+    .choice("scheme", &NAMES, 0)
     .stepper("k", 3..=12, 5)
     .stepper("steps", 0..=2, 1)
     .draw(|values, canvas| {
         let (k, steps) = (values.count("k")?, values.count("steps")?);
-        match values.count("scheme")? {
-            1 => ring(canvas, "Loop", Chosen::Loop, FanNet::Triangles, k, steps),
-            2 => ring(canvas, "modified Butterfly", Chosen::Butterfly(Butterfly::MODIFIED), FanNet::Triangles, k, steps),
-            3 => ring(canvas, "Catmull–Clark", Chosen::CatmullClark, FanNet::Quadrilaterals, k, steps),
-            4 => ring(canvas, "Doo–Sabin", Chosen::DooSabin, FanNet::AroundFace, k, steps),
-            5 => ring(canvas, "Kobbelt", Chosen::Kobbelt, FanNet::Quadrilaterals, k, steps),
-            _ => ring(canvas, "unmodified Butterfly", Chosen::Butterfly(Butterfly::UNMODIFIED), FanNet::Triangles, k, steps),
-        }
+        let chosen = values.count("scheme")?;
+        let (scheme, net) = match chosen {
+            0 => (Chosen::Loop, FanNet::Triangles),
+            1 => (Chosen::Butterfly(Butterfly::MODIFIED), FanNet::Triangles),
+            2 => (Chosen::CatmullClark, FanNet::Quadrilaterals),
+            3 => (Chosen::DooSabin, FanNet::AroundFace),
+            4 => (Chosen::Kobbelt, FanNet::Quadrilaterals),
+            _ => (Chosen::Butterfly(Butterfly::UNMODIFIED), FanNet::Triangles),
+        };
+        ring(canvas, NAMES[chosen], scheme, net, k, steps)
     })
 }

@@ -209,7 +209,7 @@ pub fn four_point_tension() -> Figure {
         let root = critical_tension(BigRational::from_ratio(1, 1 << 20));
         let limit = root.isolated().first().map_or(f64::NAN, |root| root.parameter().to_f64());
         for (name, place) in [("two steps", two_steps), ("limit", limit)] {
-            canvas.segment(name, [place, 0.0], [place, 2.0], Style::Tangent);
+            canvas.segment(name, [place, 0.0], [place, 2.0], Style::Guide);
             canvas.label(&decimal(place, 4), [place, 0.2]);
         }
         canvas.point("chosen", [w, norm(w, 8)?], PointStyle::Result);
@@ -219,6 +219,8 @@ pub fn four_point_tension() -> Figure {
         canvas.polyline("polygon", outline(&polygon), Style::ControlPolygon);
         let step = |w: f64| move |polygon: &ControlPolygon<Place>| Ok(polygon.four_point(w)?);
         let usual = refined(&polygon, 5, step(SIXTEENTH))?;
+        canvas.legend("$w$ as chosen", Style::Curve);
+        canvas.legend("$w = 1/16$", Style::SecondCurve);
         canvas.polyline("w = 1/16", outline(&usual), Style::SecondCurve);
         canvas.polyline("chosen curve", outline(&refined(&polygon, 5, step(w))?), Style::Curve);
         canvas.labels("p", polygon.vertices());

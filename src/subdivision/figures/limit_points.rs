@@ -20,13 +20,13 @@ pub fn limit_stencils() -> Figure {
         "A closed polygon of six points. For every vertex a stencil gives the point of the limit curve that belongs to it, \
          and another one the derivative there, drawn as an arrow of a third of its length. \
          The limit curve, computed by five steps of subdivision, passes through all these points and touches the arrows. \
-         The stepper chooses the scheme: Chaikin, cubic, of degree 4, four-point.",
+         The scheme can be chosen: Chaikin, cubic, of degree 4, four-point.",
     )
-    .stepper("scheme", 1..=4, 2)
+    .choice("scheme", &["Chaikin", "cubic", "degree 4", "four-point"], 1)
     .handles("p", [[0.0, 0.4], [1.0, 3.2], [3.0, 3.6], [4.2, 1.2], [6.6, 1.8], [4.8, -0.8]])
     .draw(|values, canvas| {
         let points: Vec<Point<f64, 2>> = values.points("p")?;
-        let scheme = values.count("scheme")?;
+        let scheme = values.count("scheme")? + 1;
         let mask: Mask<BigRational> = match scheme {
             1..=3 => Mask::lane_riesenfeld(scheme + 1),
             _ => Mask::four_point(BigRational::from_ratio(1, 16))?,

@@ -12,7 +12,7 @@ pub(super) fn all() -> Vec<Figure> {
 }
 
 /// The radius of the ball by which the reader turns a surface.
-pub(super) const KNOB: f64 = 1.5;
+pub(super) const KNOB: f64 = 1.0;
 
 /// A mesh in space as a surface to paint.
 pub(super) fn painted(mesh: &Mesh<Point<f64, 3>>) -> Surface {
