@@ -303,11 +303,11 @@ mod tests {
             5,
             "face 0 passes vertex 1 twice",
         );
-        let reversed = format!("{SQUARE}f 1 2 3\n\nf 3 1 4\nf 1 2 4\n");
+        let reversed = format!("{SQUARE}f 1 2 3\n\n\nf 1 2 4\n");
         refused(
             &reversed,
             8,
-            "face 0: line 5, face 2: line 8, vertex 0: line 1, vertex 1: line 2",
+            "face 0: line 5, face 1: line 8, vertex 0: line 1, vertex 1: line 2",
         );
         let third = format!("{SQUARE}v 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
         refused(&third, 8, "more than two faces");
