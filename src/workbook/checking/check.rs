@@ -71,6 +71,18 @@ impl Checker {
         self
     }
 
+    /// The same checker for exercises to be verified: everything may take six times as long.
+    ///
+    /// A reader waits for his own answer. Here many answers are tried while the machine has other work, and none of
+    /// them may be taken for endless because of that.
+    #[must_use]
+    pub fn patient(mut self) -> Self {
+        const TIMES: u32 = 6;
+        self.limits.time *= TIMES;
+        self.runner = self.runner.patiently(TIMES);
+        self
+    }
+
     /// The same checker, which ends what it runs as soon as `stop` is true: a check is then [`CheckingError::Stopped`].
     #[must_use]
     pub fn until(mut self, stop: Arc<AtomicBool>) -> Self {

@@ -17,7 +17,7 @@ use super::library::Library;
 use super::runner::Runner;
 use super::verdict::Diagnostic;
 use crate::book::exercise::TestsSource;
-use crate::workbook::sandbox::{Ending, Job, Limits};
+use crate::workbook::sandbox::{Ending, Job};
 
 /// A source with the name by which messages call it.
 #[derive(Debug, Clone)]
@@ -417,7 +417,7 @@ pub(super) fn rustc(
         scratch: folder.to_path_buf(),
         readable,
         needs_system: true,
-        limits: Limits::compiler(),
+        limits: runner.for_the_compiler(),
     };
     let run = runner.run(&job)?;
     Ok(Said {

@@ -4,13 +4,14 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::CheckingError;
-use crate::workbook::sandbox::{Ending, Isolation, Job, Run, Sandbox};
+use crate::workbook::sandbox::{Ending, Isolation, Job, Limits, Run, Sandbox};
 
 /// Runs jobs in the sandbox.
 #[derive(Debug, Clone)]
 pub struct Runner {
     isolation: Isolation,
     stop: Arc<AtomicBool>,
+    patience: u32,
 }
 
 impl Runner {
@@ -20,6 +21,7 @@ impl Runner {
         Self {
             isolation,
             stop: Arc::default(),
+            patience: 1,
         }
     }
 
@@ -28,6 +30,20 @@ impl Runner {
     pub fn until(mut self, stop: Arc<AtomicBool>) -> Self {
         self.stop = stop;
         self
+    }
+
+    /// The same, but the compiler may take this many times as long.
+    #[must_use]
+    pub fn patiently(mut self, times: u32) -> Self {
+        self.patience = times;
+        self
+    }
+
+    /// What a run of the compiler may use.
+    pub(super) fn for_the_compiler(&self) -> Limits {
+        let mut limits = Limits::compiler();
+        limits.time *= self.patience;
+        limits
     }
 
     /// How programs are kept apart.

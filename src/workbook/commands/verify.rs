@@ -61,7 +61,7 @@ impl Verify {
         }
         let unreadable = self.unreadable(&mistakes);
         let chosen = self.chosen(&exercises, &unreadable)?;
-        let checker = Checker::new(&root, Isolation::best())?;
+        let checker = Checker::new(&root, Isolation::best())?.patient();
         let bar = progress_bar();
         let mut verified = verify(&checker, &chosen, !self.no_cache, &|progress: Progress| {
             bar.set_length(progress.all as u64);
