@@ -164,6 +164,9 @@ try {
     await twin.field.focus();
     await other.keyboard.press("Control+s");
     check(await soon(() => read("bezier/parabola-point.rs").startsWith("// from the other tab")), "the other tab saves");
+    // A tab that has not heard of the save yet would rightly take the next text for a conflict with its own.
+    const known = async tab => !(await tab.say.textContent()).includes("Not saved");
+    check(await soon(async () => await known(code) && await known(twin)), "both tabs hear of it");
     writeFileSync(file("bezier/parabola-point.rs"), "// by an editor\n");
     check(await soon(async () => await code.field.inputValue() === "// by an editor\n" && await twin.field.inputValue() === "// by an editor\n"), "both tabs take over what an editor saves");
     await other.close();

@@ -437,6 +437,15 @@ try {
             const end = performance.now() + 12;
             while (performance.now() < end) { /* no drawing */ }
         };
+        /** The quickest of many runs of a fixed calculation, in milliseconds. */
+        const calculation = () => Math.min(...Array.from({ length: 30 }, () => {
+            const start = performance.now();
+            let sum = 0;
+            for (let i = 1; i < 2e6; i++) {
+                sum += Math.sqrt(i) / (i % 7 + 1);
+            }
+            return sum > 0 ? performance.now() - start : Infinity;
+        }));
         const tries = [];
         do {
             const before = await lateFrames(2000, busy);
@@ -449,6 +458,7 @@ try {
             median: draws[draws.length >> 1],
             worst: draws[draws.length - 1],
             frames: draws.length,
+            calculation: calculation(),
             tries,
         };
     }, FIGURE);
@@ -458,7 +468,9 @@ try {
     const inTime = (holds, message) => holds || quiet.length > 0 ? check(holds, message)
         : console.log(`        not judged: ${message}; late in 4 s with 12 ms of other work a frame: `
             + times.tries.map(({ busy }) => busy).join(", "));
-    inTime(times.quick < 4, `a redraw takes ${times.quick.toFixed(2)} ms where nothing disturbs it (median `
+    // The 4 ms are meant for a machine that does the fixed calculation in 9 ms; a slower one may take longer in proportion.
+    const bound = 4 * Math.max(1, times.calculation / 9);
+    inTime(times.quick < bound, `a redraw takes ${times.quick.toFixed(2)} ms where nothing disturbs it (at most ${bound.toFixed(2)}, median `
         + `${times.median.toFixed(2)}, worst ${times.worst.toFixed(2)})`);
     inTime(times.tries.some(({ dragging }) => dragging === 0),
         `late frames in 3 s of dragging: ${times.tries.map(({ dragging }) => dragging).join(", ")}`);
