@@ -18,6 +18,7 @@ use plotters_backend::{
 
 use super::clip::Rect;
 use super::label::Label;
+use super::stroke::Stroke;
 use super::style::Look;
 
 /// Backend pixels in a unit of the picture.
@@ -35,8 +36,8 @@ pub(super) struct Sheet {
     /// A path that the next one of the same class continues.
     open_path: Option<String>,
     looks: Vec<Look>,
-    /// Lines on it, with the weight of their look, in units of the picture.
-    pub(super) lines: Vec<([f64; 2], [f64; 2], f64)>,
+    /// Lines on it, in units of the picture.
+    pub(super) strokes: Vec<Stroke>,
     /// Markers on it.
     pub(super) markers: Vec<Rect>,
 }
@@ -116,12 +117,14 @@ impl Sheet {
                 self.body.push(' ');
             }
             pair(&mut self.body, (next.0 - last.0, next.1 - last.1));
-            self.lines.push((units(last), units(next), look.weight));
+            self.strokes
+                .push(Stroke::new(units(last), units(next), look.weight));
             last = next;
         }
         if closed {
             self.body.push('z');
-            self.lines.push((units(last), units(first), look.weight));
+            self.strokes
+                .push(Stroke::new(units(last), units(first), look.weight));
         }
         if look.layer == 0 || look.layer == 3 {
             // Filled paths must not merge: overlaps would be painted once instead of twice.
@@ -150,7 +153,8 @@ impl Sheet {
                     self.body.push(' ');
                 }
                 pair(&mut self.body, (next.0 - last.0, next.1 - last.1));
-                self.lines.push((units(last), units(next), look.weight));
+                self.strokes
+                    .push(Stroke::new(units(last), units(next), look.weight));
                 last = next;
             }
             self.body.push('z');

@@ -25,14 +25,26 @@ impl Rect {
         self.contains(other.low) && self.contains(other.high)
     }
 
-    pub(super) fn overlap(&self, other: &Rect) -> f64 {
-        let side = |k: usize| self.high[k].min(other.high[k]) - self.low[k].max(other.low[k]);
-        side(0).max(0.0) * side(1).max(0.0)
+    /// The smallest rectangle with two points in it.
+    pub(super) fn around(a: [f64; 2], b: [f64; 2]) -> Self {
+        Rect {
+            low: [a[0].min(b[0]), a[1].min(b[1])],
+            high: [a[0].max(b[0]), a[1].max(b[1])],
+        }
     }
 
-    /// Whether the bounding box of a segment meets the rectangle: if not, the segment does not.
-    pub(super) fn may_meet(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        (0..2).all(|k| a[k].max(b[k]) >= self.low[k] && a[k].min(b[k]) <= self.high[k])
+    /// Whether it has a point in common with another one.
+    pub(super) fn meets(&self, other: &Rect) -> bool {
+        (0..2).all(|k| self.high[k] >= other.low[k] && self.low[k] <= other.high[k])
+    }
+
+    /// The area in common with another one.
+    pub(super) fn overlap(&self, other: &Rect) -> f64 {
+        if !self.meets(other) {
+            return 0.0;
+        }
+        let side = |k: usize| self.high[k].min(other.high[k]) - self.low[k].max(other.low[k]);
+        side(0) * side(1)
     }
 
     /// The parameters between which a + t·(b − a), 0 ≤ t ≤ 1, lies inside (Liang and Barsky).

@@ -45,6 +45,7 @@ mod render;
 mod scheme;
 mod shape;
 mod space;
+mod stroke;
 mod style;
 mod ticks;
 

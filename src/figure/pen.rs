@@ -18,6 +18,7 @@ use super::layout::Laid;
 use super::place::Place;
 use super::placement::Request;
 use super::space::{PaintedFace, groups};
+use super::stroke::Stroke;
 use super::style::{Look, Marker, PointStyle};
 
 /// Lines of at least this weight get a halo where text crosses them: all but the outlines of regions.
@@ -142,7 +143,7 @@ impl Pen {
             // Labels must know where it runs.
             for chord in around.windows(2) {
                 let ends = (ground.units(chord[0]), ground.units(chord[1]));
-                sheet.lines.push((ends.0, ends.1, look.weight));
+                sheet.strokes.push(Stroke::new(ends.0, ends.1, look.weight));
             }
             let ink = sheet.ink(look);
             drop(sheet);
@@ -251,10 +252,11 @@ impl Pen {
         // A halo keeps text readable on a line; on a shaded region it would be a blot.
         let crossed = {
             let sheet = self.sheet.borrow();
-            let through = |&(a, b, weight): &([f64; 2], [f64; 2], f64)| {
-                weight >= HALO_WEIGHT && rect.inflated(1.0).inside(a, b).is_some()
+            let near = rect.inflated(1.0);
+            let through = |stroke: &Stroke| {
+                stroke.weight >= HALO_WEIGHT && stroke.part_inside(&near).is_some()
             };
-            sheet.lines.iter().any(through)
+            sheet.strokes.iter().any(through)
         };
         let look = Look::text(size < SIZE, crossed);
         let style = self.sheet.borrow_mut().type_style(look, size, anchor);

@@ -7,6 +7,7 @@
 use super::clip::Rect;
 use super::label::Extent;
 use super::shape::Side;
+use super::stroke::Stroke;
 
 /// A label that seeks its place, in units of the picture.
 #[derive(Debug, Clone)]
@@ -58,35 +59,20 @@ const LATER_SIDE: f64 = 0.6;
 /// Places labels among what is drawn; `taken` are boxes of text that stands already.
 pub(super) fn place(
     requests: &[Request],
-    lines: &[([f64; 2], [f64; 2], f64)],
+    strokes: &[Stroke],
     markers: &[Rect],
     taken: &[Rect],
 ) -> Vec<Placed> {
     let mut placed: Vec<Option<Placed>> = vec![None; requests.len()];
-    let fixed: Vec<Vec<(Placed, f64)>> = requests
+    let mut searches: Vec<Search<'_>> = requests
         .iter()
-        .map(|request| candidates(request, lines, markers, taken))
+        .map(|request| Search::new(request, strokes, markers, taken))
         .collect();
     for _sweep in 0..3 {
         let before = placed.clone();
-        for i in 0..requests.len() {
-            let mut best: Option<(f64, Placed)> = None;
-            for (candidate, cost) in &fixed[i] {
-                // The cheapest come first, so no later one can do better.
-                if best.is_some_and(|(least, _)| *cost >= least) {
-                    break;
-                }
-                let others = placed.iter().enumerate().filter(|(j, _)| *j != i);
-                let covered: f64 = others
-                    .filter_map(|(_, other)| other.as_ref())
-                    .map(|other| charge(&candidate.rect, &other.rect, ON_LABEL))
-                    .sum();
-                let total = cost + covered;
-                if best.is_none_or(|(least, _)| total < least) {
-                    best = Some((total, *candidate));
-                }
-            }
-            placed[i] = best.map(|(_, candidate)| candidate);
+        for (i, search) in searches.iter_mut().enumerate() {
+            placed[i] = None;
+            placed[i] = search.cheapest(&placed);
         }
         if placed == before {
             break;
@@ -102,72 +88,113 @@ fn charge(a: &Rect, b: &Rect, price: f64) -> f64 {
     }
 }
 
-/// All candidates with what they cost, other labels apart; the cheapest first.
-fn candidates(
-    request: &Request,
-    lines: &[([f64; 2], [f64; 2], f64)],
-    markers: &[Rect],
-    taken: &[Rect],
-) -> Vec<(Placed, f64)> {
-    // Only what is within reach of some candidate can cost anything.
-    let Extent {
-        width,
-        ascent,
-        descent,
-    } = request.extent;
-    let reach = request.clear + RINGS[RINGS.len() - 1] + NEAR + width.max(ascent + descent);
-    let here = Rect {
-        low: request.anchor,
-        high: request.anchor,
-    }
-    .inflated(reach);
-    let lines: Vec<_> = lines
-        .iter()
-        .filter(|(a, b, _)| here.may_meet(*a, *b))
-        .collect();
-    let near_by = |rects: &[Rect]| -> Vec<Rect> {
-        let meets = |rect: &&Rect| here.may_meet(rect.low, rect.high);
-        rects.iter().filter(meets).copied().collect()
-    };
-    let (markers, taken) = (near_by(markers), near_by(taken));
-    let sides = request.side.map_or(SIDES.to_vec(), |side| vec![side]);
-    let mut found = vec![];
-    for (order, &side) in sides.iter().enumerate() {
-        for ring in RINGS {
-            let placed = beside(request.anchor, request.clear + ring, request.extent, side);
-            let mut cost = FARTHER * ring + LATER_SIDE * order as f64;
-            if !request.bounds.contains_rect(&placed.rect) {
-                cost += OUTSIDE;
-            }
-            cost += taken
-                .iter()
-                .map(|text| charge(&placed.rect, text, ON_LABEL))
-                .sum::<f64>();
-            cost += markers
-                .iter()
-                .map(|marker| charge(&placed.rect, marker, ON_MARKER))
-                .sum::<f64>();
-            let (tight, wide) = (placed.rect.inflated(1.0), placed.rect.inflated(NEAR));
-            for &&(a, b, weight) in &lines {
-                // Comparing first spares most of the divisions.
-                if !wide.may_meet(a, b) {
-                    continue;
+/// Where a label could go.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    placed: Placed,
+    /// What it costs before anything is found under it.
+    least: f64,
+    /// What it costs, other labels that seek their place apart; found out when it is asked for.
+    cost: Option<f64>,
+}
+
+/// The search for the place of a label.
+#[derive(Debug)]
+struct Search<'a> {
+    /// Those that cost the least come first.
+    candidates: Vec<Candidate>,
+    /// Only what is within reach of some candidate can cost anything.
+    strokes: Vec<&'a Stroke>,
+    markers: Vec<&'a Rect>,
+    taken: Vec<&'a Rect>,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        request: &Request,
+        strokes: &'a [Stroke],
+        markers: &'a [Rect],
+        taken: &'a [Rect],
+    ) -> Self {
+        let Extent {
+            width,
+            ascent,
+            descent,
+        } = request.extent;
+        let reach = request.clear + RINGS[RINGS.len() - 1] + NEAR + width.max(ascent + descent);
+        let here = Rect::around(request.anchor, request.anchor).inflated(reach);
+        let sides = request.side.map_or(SIDES.to_vec(), |side| vec![side]);
+        let mut candidates: Vec<Candidate> = sides
+            .iter()
+            .enumerate()
+            .flat_map(|(order, &side)| RINGS.map(|ring| (order, side, ring)))
+            .map(|(order, side, ring)| {
+                let placed = beside(request.anchor, request.clear + ring, request.extent, side);
+                let inside = request.bounds.contains_rect(&placed.rect);
+                let outside = if inside { 0.0 } else { OUTSIDE };
+                Candidate {
+                    placed,
+                    least: FARTHER * ring + LATER_SIDE * order as f64 + outside,
+                    cost: None,
                 }
-                let Some(near) = wide.inside(a, b) else {
-                    continue;
-                };
-                let length = (b[0] - a[0]).abs() + (b[1] - a[1]).abs();
-                cost += NEAR_LINE * weight * length * (near.1 - near.0);
-                if let Some(on) = tight.inside(a, b) {
-                    cost += ON_LINE * weight * (length * (on.1 - on.0) + 4.0);
-                }
-            }
-            found.push((placed, cost));
+            })
+            .collect();
+        candidates.sort_by(|a, b| a.least.total_cmp(&b.least));
+        Self {
+            candidates,
+            strokes: strokes.iter().filter(|s| s.may_meet(&here)).collect(),
+            markers: markers.iter().filter(|rect| here.meets(rect)).collect(),
+            taken: taken.iter().filter(|rect| here.meets(rect)).collect(),
         }
     }
-    // Sorting is stable: among equals the side that is tried first stays first.
-    found.sort_by(|(_, a), (_, b)| a.total_cmp(b));
-    found
+
+    /// The best place among the other labels, where they are for now.
+    fn cheapest(&mut self, others: &[Option<Placed>]) -> Option<Placed> {
+        let mut best: Option<(f64, Placed)> = None;
+        for i in 0..self.candidates.len() {
+            let Candidate {
+                placed,
+                least,
+                cost,
+            } = self.candidates[i];
+            // No later one can do better.
+            if best.is_some_and(|(total, _)| least >= total) {
+                break;
+            }
+            let cost = cost.unwrap_or_else(|| self.cost(&placed.rect, least));
+            self.candidates[i].cost = Some(cost);
+            let covered: f64 = others
+                .iter()
+                .flatten()
+                .map(|other| charge(&placed.rect, &other.rect, ON_LABEL))
+                .sum();
+            if best.is_none_or(|(total, _)| cost + covered < total) {
+                best = Some((cost + covered, placed));
+            }
+        }
+        best.map(|(_, placed)| placed)
+    }
+
+    /// What a label costs in a rectangle, with `cost` for the way there.
+    fn cost(&self, rect: &Rect, mut cost: f64) -> f64 {
+        let charges = |rects: &[&Rect], price| -> f64 {
+            rects.iter().map(|other| charge(rect, other, price)).sum()
+        };
+        cost += charges(&self.taken, ON_LABEL);
+        cost += charges(&self.markers, ON_MARKER);
+        let (tight, wide) = (rect.inflated(1.0), rect.inflated(NEAR));
+        for stroke in &self.strokes {
+            let Some(near) = stroke.part_inside(&wide) else {
+                continue;
+            };
+            let (weight, length) = (stroke.weight, stroke.length());
+            cost += NEAR_LINE * weight * length * near;
+            if let Some(on) = stroke.part_inside(&tight) {
+                cost += ON_LINE * weight * (length * on + 4.0);
+            }
+        }
+        cost
+    }
 }
 
 /// The box of a text beside an anchor.

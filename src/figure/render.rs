@@ -380,7 +380,7 @@ impl Pen {
         let taken: Vec<Rect> = self.texts.iter().map(|(_, rect)| *rect).collect();
         let places = {
             let sheet = self.sheet.borrow();
-            placement::place(&requests, &sheet.lines, &sheet.markers, &taken)
+            placement::place(&requests, &sheet.strokes, &sheet.markers, &taken)
         };
         for (
             (_, text, size),
