@@ -21,10 +21,9 @@ pub fn law(tables: &HalfEdgeTables) -> Sides<BigRational> {
     let sides = Sides::new(format!("{tables:?}"));
     let all: Vec<usize> = (0..tables.flip.len()).collect();
     //@ solution
-    let through = |outer: &[usize], inner: &[usize]| -> Vec<BigRational> {
-        let list: Vec<usize> = inner.iter().map(|&h| outer[h]).collect();
-        numbers(&list)
-    };
+    fn through<E: Copy>(outer: &[E], inner: &[usize]) -> Vec<E> {
+        inner.iter().map(|&h| outer[h]).collect()
+    }
     let HalfEdgeTables {
         origin,
         flip,
@@ -34,33 +33,37 @@ pub fn law(tables: &HalfEdgeTables) -> Sides<BigRational> {
         face,
     } = tables;
     let alone = all.iter().filter(|&&h| flip[h] == h).count();
-    let next_faces: Vec<Option<usize>> = next.iter().map(|&h| face[h]).collect();
     let exact = Rounding::none;
     sides
-        .equal("flip twice", through(flip, flip), numbers(&all), exact())
+        .equal(
+            "flip twice",
+            numbers(&through(flip, flip)),
+            numbers(&all),
+            exact(),
+        )
         .equal("their own flips", numbers(&[alone]), numbers(&[0]), exact())
         .equal(
             "prev after next",
-            through(prev, next),
+            numbers(&through(prev, next)),
             numbers(&all),
             exact(),
         )
         .equal(
             "the next face",
-            face_numbers(&next_faces),
+            face_numbers(&through(face, next)),
             face_numbers(face),
             exact(),
         )
         .equal(
             "the edge of the flip",
-            through(edge, flip),
+            numbers(&through(edge, flip)),
             numbers(edge),
             exact(),
         )
         .equal(
             "the end",
-            through(origin, flip),
-            through(origin, next),
+            numbers(&through(origin, flip)),
+            numbers(&through(origin, next)),
             exact(),
         )
     //@ starter
