@@ -9,18 +9,19 @@ pub fn limit_point<T: Scalar>(
     neighbours: &[Point<T, 3>],
     beta: &T,
 ) -> Point<T, 3> {
-    //@ solution
-    let omega = T::from_ratio(3, 8) / beta.clone();
     let k = T::from_integer(neighbours.len() as i64);
+    // The sum of the vectors from the vertex to its neighbours.
     let sum = neighbours
         .iter()
         .fold(Vector::zeros(), |sum: Vector<T, 3>, n| {
             sum + (n.clone() - v.clone())
         });
+    //@ solution
+    let omega = T::from_ratio(3, 8) / beta.clone();
     v.clone() + sum / (omega + k)
     //@ starter
-    //| // This is right only if the vertex does not move.
-    //| let _: (&[Point<T, 3>], &T, Option<Vector<T, 3>>) = (neighbours, beta, None);
-    //| v.clone()
+    //| // The mean of the neighbours: the vertex itself has no weight yet.
+    //| let _ = beta;
+    //| v.clone() + sum / k
     //@ end
 }
