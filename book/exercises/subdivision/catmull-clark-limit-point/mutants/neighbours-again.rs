@@ -1,4 +1,4 @@
-//! misconception: two half-edges further in the face is its opposite vertex; but there the next neighbour of v ends, one half-edge too far
+//! misconception: the opposite vertex is the end of next(next(h)); but that is the next neighbour of v, one half-edge too far
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

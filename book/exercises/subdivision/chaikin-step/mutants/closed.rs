@@ -1,4 +1,4 @@
-//! misconception: the last vertex is joined to the first, also in an open polygon
+//! misconception: the last vertex is joined to the first; but an open polygon has no leg there
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: what has no leg cannot change, so a single vertex stays
+//! misconception: what has no leg cannot change, so a single vertex stays; but the new vertices are cuts of legs, and without a leg there are none
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: a curve has to begin and to end at the given ends, so these are kept
+//! misconception: a curve has to begin and to end at the given ends, so these are kept; but they are corners, too, and Chaikin cuts them off
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

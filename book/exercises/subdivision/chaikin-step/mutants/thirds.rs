@@ -1,4 +1,4 @@
-//! misconception: three parts of a leg are equal, so the cuts are at one third and two thirds
+//! misconception: the three parts of a leg are equal; but the cuts are at a quarter and three quarters, so the middle part is half of the leg
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: every degree averages at least once, so degree 0 is the same as degree 1
+//! misconception: every degree averages at least once; but degree 0 doubles the vertices and nothing else
 
 use cagd::scalar::Scalar;
 

@@ -1,4 +1,4 @@
-//! misconception: doubling and averaging belong together, so both are done n times
+//! misconception: doubling and averaging belong together, so both are done n times; but a step doubles once
 
 use cagd::scalar::Scalar;
 

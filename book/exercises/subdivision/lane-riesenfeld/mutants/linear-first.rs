@@ -1,4 +1,4 @@
-//! misconception: linear subdivision comes first and then n averagings, as the last summary of the class notes says
+//! misconception: linear subdivision comes first and then n averagings, as the last summary of the class notes says; but linear subdivision is doubling and one averaging already
 
 use cagd::scalar::Scalar;
 

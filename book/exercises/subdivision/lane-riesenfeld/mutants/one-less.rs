@@ -1,4 +1,4 @@
-//! misconception: doubling counts as the first round, so n − 1 averagings are left
+//! misconception: doubling counts as the first of n rounds, so n − 1 averagings are left; but it is no averaging, and n follow it
 
 use cagd::scalar::Scalar;
 

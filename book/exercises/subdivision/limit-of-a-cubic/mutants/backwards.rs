@@ -1,4 +1,4 @@
-//! misconception: the derivative points from the next vertex to the one before
+//! misconception: the derivative points from the next vertex to the one before; but the parameter grows with the index
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: the eigenvalue 1/2 is a factor of the derivative
+//! misconception: the eigenvalue 1/2 is a factor of the derivative; but it only says how the neighbours come closer, and the weights (−1, 0, 1)/2 already give 1 for the points pⱼ = j
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

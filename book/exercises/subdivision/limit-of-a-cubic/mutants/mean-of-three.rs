@@ -1,4 +1,4 @@
-//! misconception: a right eigenvector is taken for a left one: A leaves three equal numbers as they are
+//! misconception: A leaves three equal numbers as they are, so all weights are equal; but that is a right eigenvector, and the weights are a left one
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

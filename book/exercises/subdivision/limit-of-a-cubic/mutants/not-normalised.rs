@@ -1,4 +1,4 @@
-//! misconception: an eigenvector may have any length, so (-1, 0, 1) is the derivative
+//! misconception: an eigenvector may have any length, so (−1, 0, 1) gives the derivative; but for the points pⱼ = j it gives 2 instead of 1
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: after one step the vertex has arrived: the weights of the rule, (1, 6, 1)/8, are those of the limit
+//! misconception: after one step the vertex has arrived, so the weights of the rule, (1, 6, 1)/8, are those of the limit; but it moves in every step
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: all points meet in the middle, so the limit is the mean of the vertex and its neighbours
+//! misconception: all points meet in the middle, so the limit is the mean of the vertex and its neighbours; but a step changes this mean
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

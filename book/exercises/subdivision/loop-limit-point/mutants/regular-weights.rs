@@ -1,4 +1,4 @@
-//! misconception: the weights 6 and 1 of the regular case serve every valence
+//! misconception: the weights 6 and 1 of the regular case serve every valence; but 6 is 3/(8β) for β = 1/16 alone
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

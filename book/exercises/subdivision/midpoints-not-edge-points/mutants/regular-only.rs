@@ -1,4 +1,4 @@
-//! misconception: the rule is (F + 2R + v)/4, as on a grid, whatever the valence is
+//! misconception: the rule is (F + 2R + v)/4, as on a grid, whatever the valence is; but it is divided by k, and v counts k − 3 times
 
 use cagd::affine::{Point, Vector};
 use cagd::scalar::Scalar;

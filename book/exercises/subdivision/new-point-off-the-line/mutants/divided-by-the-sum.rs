@@ -1,4 +1,4 @@
-//! misconception: weights of any sum become right when they are divided by their sum
+//! misconception: weights of any sum become right when they are divided by their sum; but these are still not symmetric
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

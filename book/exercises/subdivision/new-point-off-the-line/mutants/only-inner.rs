@@ -1,4 +1,4 @@
-//! misconception: the third weight is repaired and the outer ones are forgotten
+//! misconception: only the inner points count; but then the weights sum to 1 + 2w, and the outer ones have −w
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

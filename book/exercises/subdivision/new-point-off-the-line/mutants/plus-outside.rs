@@ -1,4 +1,4 @@
-//! misconception: all four weights have a plus sign, as in corner cutting
+//! misconception: all four weights have a plus sign, as in corner cutting; but the outer ones are −w, so that the new point moves away from the outer points
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: the sum is repaired by giving the third point what is missing to 1, and the rule stays unsymmetric
+//! misconception: the third point gets what is missing to the sum 1; but then the rule is not symmetric
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: the coefficients of one rule stand next to each other, in blocks
+//! misconception: the coefficients of one rule stand next to each other, in blocks; but they are 2^L places apart
 
 use cagd::scalar::{BigRational, OrderedScalar, Scalar};
 

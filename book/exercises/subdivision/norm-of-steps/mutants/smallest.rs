@@ -1,4 +1,4 @@
-//! misconception: it is enough that one of the rules is contractive, so the smallest sum counts
+//! misconception: it is enough that one of the rules contracts, so the smallest sum counts; but the points of the other rules have to come closer, too
 
 use cagd::scalar::{BigRational, OrderedScalar, Scalar};
 

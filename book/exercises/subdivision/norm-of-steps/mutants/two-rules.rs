@@ -1,4 +1,4 @@
-//! misconception: a scheme has two rules, also after several steps
+//! misconception: a scheme has two rules, also after several steps; but L steps together have 2^L
 
 use cagd::scalar::{BigRational, OrderedScalar, Scalar};
 

@@ -1,4 +1,4 @@
-//! misconception: the new vertex is the mean of the vertex, the midpoints of its two edges and the centroid, also if the face is no quadrilateral
+//! misconception: the new vertex is the mean of the vertex, the midpoints of its two edges and the centroid; but that is so for quadrilaterals only
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

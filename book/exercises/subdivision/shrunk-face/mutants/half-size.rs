@@ -1,4 +1,4 @@
-//! misconception: a face becomes half as large, from its centroid; but that is so for triangles and parallelograms
+//! misconception: a face becomes half as large, from its centroid; but that is so for triangles and parallelograms only
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

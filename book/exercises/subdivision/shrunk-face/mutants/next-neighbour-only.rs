@@ -1,4 +1,4 @@
-//! misconception: as with Chaikin each corner is cut at a quarter: 3/4 of the vertex and 1/4 of the next one
+//! misconception: as with Chaikin each corner is cut at a quarter, with 3/4 of the vertex and 1/4 of the next one; but all vertices of the face have a weight
 
 use cagd::affine::Point;
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: what counts is the bend of the polygon in the middle, not its first leg
+//! misconception: what counts is the bend of the polygon in the middle; but there both polygons always agree, and the first leg decides
 
 /// The control values.
 pub fn counterexample() -> Vec<i64> {

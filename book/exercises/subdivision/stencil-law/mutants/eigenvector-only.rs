@@ -1,4 +1,4 @@
-//! misconception: an eigenvector is an eigenvector; its length does not matter
+//! misconception: an eigenvector may have any length; but equal points stay where they are only if the weights sum to 1
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::Scalar;

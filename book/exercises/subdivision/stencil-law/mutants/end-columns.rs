@@ -1,4 +1,4 @@
-//! misconception: for a symmetric stencil it is enough to look at the first point
+//! misconception: for a symmetric stencil it is enough to look at the first point; but each point has an equation of its own
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: A·l = l is the condition; rows and columns are the same for a symmetric rule
+//! misconception: A·l = l is the condition, as rows and columns are the same for a symmetric rule; but A itself need not be symmetric, and the condition is l·A = l
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::Scalar;

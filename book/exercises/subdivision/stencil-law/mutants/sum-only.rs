@@ -1,4 +1,4 @@
-//! misconception: weights of sum 1 are all that a point needs
+//! misconception: weights of sum 1 are all that a point needs; but the limit also stays the same when the points are refined
 
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! misconception: each product of coefficients has a place of its own, so it is stored and not added
+//! misconception: each product of coefficients has a place of its own, so it is stored; but several of them meet at one power, and are added
 
 use cagd::scalar::Scalar;
 

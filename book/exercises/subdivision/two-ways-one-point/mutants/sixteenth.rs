@@ -1,4 +1,4 @@
-//! misconception: the factor is β = 1/16, the outer weight of the four-point rule; but it is β/α, because v₀ itself has the factor α
+//! misconception: the factor is 1/16, the size of the outer weight β of the four-point rule; but it is that of β/α, because the two ways are divided by αβ, the weight of v₀
 
 use cagd::scalar::Scalar;
 
