@@ -11,11 +11,12 @@ pub fn limit_position<T: Scalar>(mesh: &Mesh<Point<T, 3>>, v: VertexId) -> Point
     let (mut neighbours, mut opposite) = (Vector::<T, 3>::zeros(), Vector::<T, 3>::zeros());
     let mut k = 0;
     for h in connectivity.vertex_ring(v) {
+        let next = connectivity.next(h);
         neighbours += to(connectivity.destination(h));
-        opposite += to(connectivity.destination(connectivity.next(h)));
+        opposite += to(connectivity.destination(connectivity.next(next)));
         k += 1;
     }
     let whole = T::from_integer;
-    let _ = opposite;
-    mesh.point(v).clone() + neighbours * whole(5) / whole(k * (k + 5))
+    let sum = neighbours * whole(4) + opposite;
+    mesh.point(v).clone() + sum / whole(k * (k + 5))
 }

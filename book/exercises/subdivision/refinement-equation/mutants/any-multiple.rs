@@ -13,16 +13,14 @@ pub fn law(
     let number = |n: i64| <BigRational as Scalar>::from_integer(n);
     let last = degree as i64 + 1;
     let sides = Sides::new(format!("n = {degree}, u = {u}"));
-    let value = b_spline(degree, u.clone());
-    let shifts = (-last..=last).fold(number(0), |sum, j| sum + b_spline(degree, u - number(j)));
-    let copies = |row: usize, sign: i64| {
-        (0..=row as i64).fold(number(0), |sum, j| {
-            let weight: BigRational = binomial(row, j);
-            sum + weight * b_spline(degree, number(2) * u - number(sign * j))
-        })
-    };
-    let exact = Rounding::none;
-    let _ = shifts;
-    let copies = copies(degree + 1, 1) / number(1 << degree);
-    sides.equal("copies", [value], [copies], exact())
+    let copies = (0..=last).fold(number(0), |sum, j| {
+        let weight: BigRational = binomial(degree + 1, j);
+        sum + weight * b_spline(degree, number(2) * u - number(j))
+    });
+    sides.equal(
+        "copies",
+        [b_spline(degree, u.clone())],
+        [copies / number(1 << degree)],
+        Rounding::none(),
+    )
 }

@@ -1,6 +1,5 @@
 //! misconception: what sums to 1 with its shifts is a B-spline of this degree; but all B-splines do so
 
-use cagd::bezier::binomial;
 use cagd::law::{Rounding, Sides};
 use cagd::scalar::{BigRational, Scalar};
 
@@ -13,15 +12,6 @@ pub fn law(
     let number = |n: i64| <BigRational as Scalar>::from_integer(n);
     let last = degree as i64 + 1;
     let sides = Sides::new(format!("n = {degree}, u = {u}"));
-    let value = b_spline(degree, u.clone());
     let shifts = (-last..=last).fold(number(0), |sum, j| sum + b_spline(degree, u - number(j)));
-    let copies = |row: usize, sign: i64| {
-        (0..=row as i64).fold(number(0), |sum, j| {
-            let weight: BigRational = binomial(row, j);
-            sum + weight * b_spline(degree, number(2) * u - number(sign * j))
-        })
-    };
-    let exact = Rounding::none;
-    let _ = (copies(degree + 1, 1), value);
-    sides.equal("shifts", [shifts], [number(1)], exact())
+    sides.equal("shifts", [shifts], [number(1)], Rounding::none())
 }

@@ -7,9 +7,7 @@ use cagd::scalar::Scalar;
 pub fn new_face<T: Scalar>(face: &[Point<T, 2>], cosines: &[T]) -> Vec<Point<T, 2>> {
     let k = face.len();
     let four_k = T::from_integer(4 * k as i64);
-    let weight =
-        |j: usize| (T::from_integer(3) + T::from_integer(2) * cosines[j].clone()) / four_k.clone();
-    let _ = weight;
+    let _ = cosines;
     let new_vertex = |i: usize| {
         let to = |j: usize| face[j % k].clone() - face[i].clone();
         let eighth = T::from_ratio(1, 8);

@@ -6,10 +6,7 @@ use cagd::scalar::Scalar;
 /// The new vertices at the vertices of `face`.
 pub fn new_face<T: Scalar>(face: &[Point<T, 2>], cosines: &[T]) -> Vec<Point<T, 2>> {
     let k = face.len();
-    let four_k = T::from_integer(4 * k as i64);
-    let weight =
-        |j: usize| (T::from_integer(3) + T::from_integer(2) * cosines[j].clone()) / four_k.clone();
-    let _ = weight;
+    let _ = cosines;
     let new_vertex = |i: usize| {
         let quarter = T::from_ratio(1, 4);
         face[i].clone() + (face[(i + 1) % k].clone() - face[i].clone()) * quarter

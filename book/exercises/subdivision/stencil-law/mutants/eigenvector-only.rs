@@ -7,8 +7,6 @@ use cagd::scalar::Scalar;
 pub fn law<T: Scalar>(stencil: impl Fn(&[Vec<T>]) -> Vec<T>, matrix: &[Vec<T>]) -> Sides<T> {
     let weights = stencil(matrix);
     let sides = Sides::new(format!("A = {matrix:?}"));
-    let sum = weights.iter().fold(T::zero(), |sum, l| sum + l.clone());
-    let _ = sum;
     let column = |j: usize| {
         let terms = weights.iter().zip(matrix);
         terms.fold(T::zero(), |sum, (l, row)| sum + l.clone() * row[j].clone())

@@ -11,8 +11,6 @@ pub fn virtual_point<T: Scalar>(neighbours: &[T], opposite: &[T]) -> T {
     };
     let all = |points: &[T]| points.iter().fold(T::zero(), |sum, p| sum + p.clone());
     let share = T::from_ratio(4, n as i64);
-    let ninth = T::from_ratio(1, 9);
-    let of_neighbours = share.clone() * all(neighbours) - near(neighbours, 1, 3);
-    let _ = (ninth, opposite);
-    of_neighbours
+    let _ = opposite;
+    share * all(neighbours) - near(neighbours, 1, 3)
 }

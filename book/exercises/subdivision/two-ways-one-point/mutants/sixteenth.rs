@@ -11,9 +11,7 @@ pub fn virtual_point<T: Scalar>(neighbours: &[T], opposite: &[T]) -> T {
     };
     let all = |points: &[T]| points.iter().fold(T::zero(), |sum, p| sum + p.clone());
     let share = T::from_ratio(4, n as i64);
-    let ninth = T::from_ratio(1, 9);
     let of_neighbours = share.clone() * all(neighbours) - near(neighbours, 1, 3);
-    let _ = ninth;
     let of_opposite = near(opposite, 2, 4) - share * all(opposite);
     of_neighbours + T::from_ratio(1, 16) * of_opposite
 }
