@@ -107,6 +107,30 @@ const brightness = page => page.evaluate(() => {
     return (red + green + blue) / 3;
 });
 
+/** Tables whose cells hold sentences, and the filter of the statements, on a screen of this size. */
+async function readTables(browser, folder, viewport) {
+    const label = path => `${path}, ${viewport.width} px`;
+    const context = await browser.newContext({ viewport });
+    const page = await context.newPage();
+    for (const path of ["notation.html", "exercises.html", "statements.html"]) {
+        await page.goto(`${folder}/${path}`, { waitUntil: "load" });
+        const excess = await page.$$eval(".table-wrapper", wrappers =>
+            Math.max(...wrappers.map(wrapper => wrapper.scrollWidth - wrapper.clientWidth)));
+        if (excess > 0) {
+            fail(`${label(path)}: a table is ${excess} px too wide to be read without scrolling`);
+        }
+    }
+    await page.fill("#statement-filter [name=words]", "convex hull");
+    const [matching, seen] = await page.$$eval("table.statements tbody tr", rows => [
+        row => ["convex", "hull"].every(word => row.textContent.toLowerCase().includes(word)),
+        row => row.getClientRects().length > 0,
+    ].map(test => rows.filter(test).length));
+    if (matching === 0 || seen !== matching) {
+        fail(`${label("statements.html")}: ${matching} statements match the words, and ${seen} are seen`);
+    }
+    await context.close();
+}
+
 const { server, address } = await serve();
 const browser = await chromium.launch({
     executablePath: browserPath,
@@ -140,7 +164,10 @@ try {
     for (const path of pages.filter(path => path !== "404.html")) {
         await visit(page, `${disk}/${path}`, disk, `${path} from disk`);
     }
-    console.log(`${pages.length} pages, from the server at two widths in two themes and from disk`);
+    for (const viewport of [NARROW, WIDE]) {
+        await readTables(browser, disk, viewport);
+    }
+    console.log(`${pages.length} pages, from the server at two widths in two themes and from disk, and their long tables`);
 } finally {
     await browser.close();
     server.kill("SIGINT");
