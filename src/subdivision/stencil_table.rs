@@ -10,14 +10,19 @@ struct Sources<'a, const D: usize> {
     faces: &'a [[f32; D]],
 }
 
-/// Rows with the same weights, one after the other.
+/// How the rows of a run weigh their points.
 ///
-/// The first weights belong to old points, the others to points of faces; so does what every row lists.
+/// A row lists its points in three groups, each with one weight: two groups of old points, then one of points of faces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Groups {
+    weights: [f32; 3],
+    sizes: [usize; 3],
+}
+
+/// Rows with the same weights, one after the other.
 #[derive(Debug, Clone, PartialEq)]
 struct Run {
-    weights: Vec<f32>,
-    /// How many of the weights belong to old points.
-    old: usize,
+    groups: Groups,
     rows: usize,
 }
 
@@ -30,58 +35,57 @@ struct StencilTable {
     /// The points of all rows.
     indices: Vec<u32>,
     rows: usize,
-    /// The weights of the row that is added.
-    weights: Vec<f32>,
 }
 
+/// A group of a row: the weight of its points, and their indices.
+type Group<I> = (f32, I);
+
+/// No points.
+const NONE: Group<[u32; 0]> = (0.0, []);
+
 impl StencilTable {
-    /// Adds the row of these weights of old points, and of points of faces.
+    /// Adds a row: two groups of old points, and one of points of faces.
     fn push(
         &mut self,
-        old: impl IntoIterator<Item = (u32, f32)>,
-        faces: impl IntoIterator<Item = (u32, f32)>,
+        first: Group<impl IntoIterator<Item = u32>>,
+        second: Group<impl IntoIterator<Item = u32>>,
+        faces: Group<impl IntoIterator<Item = u32>>,
     ) {
-        let Self {
-            runs,
-            indices,
-            rows,
-            weights,
-        } = self;
-        weights.clear();
-        for (index, weight) in old {
-            indices.push(index);
-            weights.push(weight);
+        let groups = Groups {
+            weights: [first.0, second.0, faces.0],
+            sizes: [self.list(first.1), self.list(second.1), self.list(faces.1)],
+        };
+        self.rows += 1;
+        match self.runs.last_mut() {
+            Some(run) if run.groups == groups => run.rows += 1,
+            _ => self.runs.push(Run { groups, rows: 1 }),
         }
-        let old = weights.len();
-        for (index, weight) in faces {
-            indices.push(index);
-            weights.push(weight);
-        }
-        *rows += 1;
-        match runs.last_mut() {
-            Some(run) if run.old == old && run.weights == *weights => run.rows += 1,
-            _ => runs.push(Run {
-                weights: weights.clone(),
-                old,
-                rows: 1,
-            }),
-        }
+    }
+
+    /// Appends indices and returns how many they are.
+    fn list(&mut self, indices: impl IntoIterator<Item = u32>) -> usize {
+        let before = self.indices.len();
+        self.indices.extend(indices);
+        self.indices.len() - before
     }
 
     /// Writes the point of every row to `points`.
     fn apply<const D: usize>(&self, sources: Sources<'_, D>, points: &mut [[f32; D]]) {
         let (mut indices, mut points) = (self.indices.as_slice(), points);
         for run in &self.runs {
-            let (own, rest) = indices.split_at(run.rows * run.weights.len());
+            let size: usize = run.groups.sizes.iter().sum();
+            let (own, rest) = indices.split_at(run.rows * size);
             let (now, later) = points.split_at_mut(run.rows);
             // The usual sizes are known to the compiler: faces and edges, the boundary, and vertices of regular meshes.
-            match (run.old, run.weights.len()) {
-                (2, 2) => run.apply_sized::<2, 2, D>(own, sources, now),
-                (3, 3) => run.apply_sized::<3, 3, D>(own, sources, now),
-                (4, 4) => run.apply_sized::<4, 4, D>(own, sources, now),
-                (2, 4) => run.apply_sized::<2, 4, D>(own, sources, now),
-                (7, 7) => run.apply_sized::<7, 7, D>(own, sources, now),
-                (5, 9) => run.apply_sized::<5, 9, D>(own, sources, now),
+            match run.groups.sizes {
+                [2, 0, 0] => run.apply_sized::<2, 0, 0, 2, D>(own, sources, now),
+                [3, 0, 0] => run.apply_sized::<3, 0, 0, 3, D>(own, sources, now),
+                [4, 0, 0] => run.apply_sized::<4, 0, 0, 4, D>(own, sources, now),
+                [1, 2, 0] => run.apply_sized::<1, 2, 0, 3, D>(own, sources, now),
+                [2, 2, 0] => run.apply_sized::<2, 2, 0, 4, D>(own, sources, now),
+                [1, 6, 0] => run.apply_sized::<1, 6, 0, 7, D>(own, sources, now),
+                [2, 0, 2] => run.apply_sized::<2, 0, 2, 4, D>(own, sources, now),
+                [1, 4, 4] => run.apply_sized::<1, 4, 4, 9, D>(own, sources, now),
                 _ => run.apply(own, sources, now),
             }
             (indices, points) = (rest, later);
@@ -90,51 +94,80 @@ impl StencilTable {
 }
 
 impl Run {
-    /// Rows with `ALL` points, `OLD` of them old.
-    fn apply_sized<const OLD: usize, const ALL: usize, const D: usize>(
+    /// Rows with `A`, `B` and `C` points in their groups, `ALL` together.
+    fn apply_sized<
+        const A: usize,
+        const B: usize,
+        const C: usize,
+        const ALL: usize,
+        const D: usize,
+    >(
         &self,
         indices: &[u32],
-        sources: Sources<'_, D>,
+        Sources { old, faces }: Sources<'_, D>,
         points: &mut [[f32; D]],
     ) {
-        let Some(weights) = self.weights.first_chunk::<ALL>() else {
-            return;
-        };
+        const { assert!(A > 0 && A + B + C == ALL, "the groups are the row") };
+        let weights = self.groups.weights;
         for (point, row) in points.iter_mut().zip(indices.as_chunks::<ALL>().0) {
-            let mut sum = [0.0; D];
-            for k in 0..ALL {
-                let list = if k < OLD { sources.old } else { sources.faces };
-                add(&mut sum, weights[k], &list[row[k] as usize]);
+            // With bounds that the compiler knows, the loops become one chain of additions.
+            let mut sum = weighted(weights[0], old, row, 0, A);
+            if B > 0 {
+                add(&mut sum, &weighted(weights[1], old, row, A, A + B));
+            }
+            if C > 0 {
+                add(&mut sum, &weighted(weights[2], faces, row, A + B, ALL));
             }
             *point = sum;
         }
     }
 
+    /// Rows with groups of any size.
     fn apply<const D: usize>(
         &self,
         indices: &[u32],
-        sources: Sources<'_, D>,
+        Sources { old, faces }: Sources<'_, D>,
         points: &mut [[f32; D]],
     ) {
-        for (point, row) in points.iter_mut().zip(indices.chunks(self.weights.len())) {
+        let Groups { weights, sizes } = self.groups;
+        let size = sizes.iter().sum();
+        for (point, row) in points.iter_mut().zip(indices.chunks(size)) {
             let mut sum = [0.0; D];
-            for (k, (&j, &weight)) in row.iter().zip(&self.weights).enumerate() {
-                let list = if k < self.old {
-                    sources.old
-                } else {
-                    sources.faces
-                };
-                add(&mut sum, weight, &list[j as usize]);
+            let mut start = 0;
+            for ((list, weight), size) in [old, old, faces].into_iter().zip(weights).zip(sizes) {
+                if size > 0 {
+                    add(&mut sum, &weighted(weight, list, row, start, start + size));
+                }
+                start += size;
             }
             *point = sum;
         }
     }
 }
 
+/// The sum of the points that a row lists from `start` up to `end`, start < end, times their weight.
 #[inline]
-fn add<const D: usize>(sum: &mut [f32; D], weight: f32, point: &[f32; D]) {
+fn weighted<const D: usize>(
+    weight: f32,
+    list: &[[f32; D]],
+    row: &[u32],
+    start: usize,
+    end: usize,
+) -> [f32; D] {
+    let mut sum = list[row[start] as usize];
+    for k in start + 1..end {
+        add(&mut sum, &list[row[k] as usize]);
+    }
+    for x in &mut sum {
+        *x *= weight;
+    }
+    sum
+}
+
+#[inline]
+fn add<const D: usize>(sum: &mut [f32; D], point: &[f32; D]) {
     for (sum, x) in sum.iter_mut().zip(point) {
-        *sum += weight * x;
+        *sum += x;
     }
 }
 
@@ -249,40 +282,35 @@ impl<const D: usize> StencilCascade<D> {
 }
 
 /// (6v + a + b)/8, a and b the neighbours of v along the boundary.
-fn boundary_row(mesh: &HalfEdgeMesh, v: VertexId) -> [(u32, f32); 3] {
+fn push_boundary_vertex(table: &mut StencilTable, mesh: &HalfEdgeMesh, v: VertexId) {
     let h = mesh.vertex_half_edge(v);
-    let before = mesh.origin(mesh.prev(h));
-    [
-        (v.0, 0.75),
-        (mesh.destination(h).0, 0.125),
-        (before.0, 0.125),
-    ]
+    let along = [mesh.destination(h).0, mesh.origin(mesh.prev(h)).0];
+    table.push((0.75, [v.0]), (0.125, along), NONE);
 }
 
 fn loop_step(mesh: &HalfEdgeMesh) -> Step {
     let mut others = StencilTable::default();
     for v in mesh.vertices() {
         if mesh.is_boundary(v) {
-            others.push(boundary_row(mesh, v), []);
+            push_boundary_vertex(&mut others, mesh, v);
             continue;
         }
         let valence = mesh.valence(v);
         // Cosines of all turns are numbers of this type.
         let beta = loop_beta::<f64>(valence).unwrap_or(f64::NAN);
-        let own = (v.0, (1.0 - valence as f64 * beta) as f32);
-        let neighbours = mesh.neighbours(v).map(|w| (w.0, beta as f32));
-        others.push(std::iter::once(own).chain(neighbours), []);
+        let own = (1.0 - valence as f64 * beta) as f32;
+        let neighbours = mesh.neighbours(v).map(|w| w.0);
+        others.push((own, [v.0]), (beta as f32, neighbours), NONE);
     }
     for e in mesh.edges() {
-        let [a, b] = mesh.edge_vertices(e);
+        let ends = mesh.edge_vertices(e).map(|v| v.0);
         if mesh.is_boundary_edge(e) {
-            others.push([(a.0, 0.5), (b.0, 0.5)], []);
+            others.push((0.5, ends), NONE, NONE);
             continue;
         }
         let h = mesh.edge_half_edge(e);
-        let [c, d] = [h, mesh.flip(h)].map(|h| mesh.origin(mesh.prev(h)));
-        let row = [(a.0, 0.375), (b.0, 0.375), (c.0, 0.125), (d.0, 0.125)];
-        others.push(row, []);
+        let opposite = [h, mesh.flip(h)].map(|h| mesh.origin(mesh.prev(h)).0);
+        others.push((0.375, ends), (0.125, opposite), NONE);
     }
     Step {
         faces: StencilTable::default(),
@@ -294,32 +322,30 @@ fn catmull_clark_step(mesh: &HalfEdgeMesh) -> Result<Step, SchemeError> {
     let mut faces = StencilTable::default();
     for f in mesh.faces() {
         let weight = 1.0 / mesh.face_degree(f) as f32;
-        faces.push(mesh.face_vertices(f).map(|v| (v.0, weight)), []);
+        faces.push((weight, mesh.face_vertices(f).map(|v| v.0)), NONE, NONE);
     }
     let face = |h| mesh.face(h).map(|f| f.0);
     let mut others = StencilTable::default();
     for v in mesh.vertices() {
         if mesh.is_boundary(v) {
-            others.push(boundary_row(mesh, v), []);
+            push_boundary_vertex(&mut others, mesh, v);
             continue;
         }
         let valence = mesh.valence(v);
         check_inner_valence(v, valence)?;
         let k = valence as f64;
         let weight = (1.0 / (k * k)) as f32;
-        let own = (v.0, ((k - 2.0) / k) as f32);
-        let neighbours = mesh.neighbours(v).map(|w| (w.0, weight));
-        let beside = mesh.vertex_ring(v).filter_map(face).map(|f| (f, weight));
-        others.push(std::iter::once(own).chain(neighbours), beside);
+        let own = ((k - 2.0) / k) as f32;
+        let neighbours = mesh.neighbours(v).map(|w| w.0);
+        let beside = mesh.vertex_ring(v).filter_map(face);
+        others.push((own, [v.0]), (weight, neighbours), (weight, beside));
     }
     for e in mesh.edges() {
         let ends = mesh.edge_vertices(e).map(|v| v.0);
         let h = mesh.edge_half_edge(e);
         match (face(h), face(mesh.flip(h))) {
-            (Some(c), Some(d)) => {
-                others.push(ends.map(|v| (v, 0.25)), [c, d].map(|f| (f, 0.25)));
-            }
-            _ => others.push(ends.map(|v| (v, 0.5)), []),
+            (Some(c), Some(d)) => others.push((0.25, ends), NONE, (0.25, [c, d])),
+            _ => others.push((0.5, ends), NONE, NONE),
         }
     }
     Ok(Step { faces, others })
