@@ -187,7 +187,9 @@
             this.controls = new Map();
             this.complaint = '';
             this.asking = false;
-            this.waiting = null;
+            /** What the reader has done and no answer knows yet: changes of the values, and where a handle went. */
+            this.changes = [];
+            this.drag = '';
         }
 
         async begin(answer) {
@@ -219,16 +221,18 @@
                 button('SVG', 'Save the picture', () => this.save()));
             this.picture.after(this.panel, this.tools, this.remarks, this.lawsBox);
             this.figure.classList.add('live');
-            await this.draw('');
+            await this.draw();
         }
 
-        /** Asks for the picture; while one is being drawn only the newest wish is kept. */
-        async draw(drag) {
+        /** Asks for the picture; what the reader does while one is being drawn waits for the next. */
+        async draw() {
             if (this.asking) {
-                this.waiting = drag;
                 return;
             }
             this.asking = true;
+            this.values = this.changes.reduce((values, change) => change(values), this.values);
+            const drag = this.drag;
+            [this.changes, this.drag] = [[], ''];
             try {
                 const text = await this.answer([this.id, this.values, drag].join('\n'));
                 this.show(read(text));
@@ -236,10 +240,8 @@
                 this.complain(error.message);
             }
             this.asking = false;
-            if (this.waiting !== null) {
-                const next = this.waiting;
-                this.waiting = null;
-                requestAnimationFrame(() => this.draw(next));
+            if (this.changes.length > 0 || this.drag !== '') {
+                requestAnimationFrame(() => this.draw());
             }
         }
 
@@ -339,7 +341,8 @@
             const go = at => {
                 const [width, height] = this.size;
                 const inside = [Math.min(Math.max(at[0], 0), width), Math.min(Math.max(at[1], 0), height)];
-                this.draw(handle.dataset.key + ' ' + inside.map(c => c.toFixed(2)).join(' '));
+                this.drag = handle.dataset.key + ' ' + inside.map(c => c.toFixed(2)).join(' ');
+                this.draw();
             };
             handle.addEventListener('pointerdown', event => {
                 if (event.button !== 0) {
@@ -381,9 +384,13 @@
                 const range = step === 'any' ? (high - low) / 200 : 1;
                 const input = element('input', { type: 'range', min: low, max: high, step: range });
                 const shown = element('span', { className: 'live-value' });
-                input.addEventListener('input', () => this.set(name, input.value));
+                input.addEventListener('input', () => {
+                    control.at = null;
+                    this.set(name, input.value);
+                });
                 input.addEventListener('keydown', event => event.stopPropagation());
-                control = { input, shown };
+                // `at` is the value that the input was given; none once the reader has moved it.
+                control = { input, shown, at: null };
                 const row = element('label', { className: 'live-control' }, shown, input);
                 this.panel.append(row);
                 if (step === 'any') {
@@ -397,11 +404,12 @@
                 control.input.setAttribute('aria-valuetext', words);
             }
             const { input } = control;
-            const follows = document.activeElement !== input || input.value === '' || input.playing;
+            // Who moves an input by keys is not disturbed.
+            const follows = document.activeElement !== input || input.playing;
             if (follows && control.at !== value) {
                 input.value = value;
+                control.at = value;
             }
-            control.at = value;
         }
 
         /** A button that moves a slider from one end to the other. */
@@ -425,7 +433,9 @@
                 let from = Number(input.value) >= high ? low : Number(input.value);
                 let begun = null;
                 const frame = now => {
+                    // Paused, or the figure was reset.
                     if (!input.playing) {
+                        stop();
                         return;
                     }
                     begun ??= now;
@@ -444,9 +454,11 @@
 
         /** Another value of a slider or stepper. */
         set(name, value) {
-            const pairs = this.values.split('&').filter(pair => pair !== '' && !pair.startsWith(name + '='));
-            this.values = [...pairs, name + '=' + value].join('&');
-            this.draw('');
+            this.changes.push(values => {
+                const others = values.split('&').filter(pair => pair !== '' && !pair.startsWith(name + '='));
+                return [...others, name + '=' + value].join('&');
+            });
+            this.draw();
         }
 
         /** Both sides of every claim; what is there already is only told the new numbers. */
@@ -503,12 +515,11 @@
         }
 
         reset() {
-            this.values = '';
-            for (const control of this.controls.values()) {
-                control.input.playing = false;
-                control.at = null;
+            for (const { input } of this.controls.values()) {
+                input.playing = false;
             }
-            this.draw('');
+            [this.changes, this.drag] = [[() => ''], ''];
+            this.draw();
         }
 
         async link(button) {

@@ -170,7 +170,9 @@ async function plays(context, url, label) {
     const figure = await alive(page);
     const value = figure.locator(".live-value").first();
     const button = figure.locator(".live-play").first();
-    const seen = new Set([await value.textContent()]);
+    const slider = figure.locator("input[type=range]").first();
+    const [first, at] = [await value.textContent(), await slider.inputValue()];
+    const seen = new Set([first]);
     const drawn = new Set([await figure.locator("svg").innerHTML()]);
     await button.click();
     for (let i = 0; i < 100 && (seen.size < 4 || drawn.size < 4); i++) {
@@ -184,6 +186,35 @@ async function plays(context, url, label) {
     const paused = await value.textContent();
     await page.waitForTimeout(300);
     check(await value.textContent() === paused, `${label}: pressed again, it stands still (${paused})`);
+    await button.click();
+    await figure.getByRole("button", { name: "Reset" }).click();
+    await page.waitForTimeout(300);
+    check(await value.textContent() === first, `${label}: reset while it plays, it shows the first value (${first})`);
+    check(await slider.inputValue() === at, `${label}: the slider stands there, too`);
+    check(await button.getAttribute("title") === "Play", `${label}: the button plays again`);
+    await page.close();
+}
+
+/** Keys that come faster than answers are all heeded. */
+async function heeds(context, url, label) {
+    const page = await context.newPage();
+    await page.route("**/__workbook/figure", async route => {
+        await new Promise(resolve => setTimeout(resolve, 200));
+        await route.continue();
+    });
+    await page.goto(url);
+    const figure = await alive(page);
+    const slider = figure.locator("input[type=range]").first();
+    const value = figure.locator(".live-value").first();
+    await slider.focus();
+    for (let i = 0; i < 6; i++) {
+        await page.keyboard.press("ArrowRight");
+    }
+    await page.waitForTimeout(1200);
+    const shown = Number((await value.textContent()).match(/[-\d.]+$/)[0]);
+    const stands = Number(await slider.inputValue());
+    const step = Number(await slider.getAttribute("step"));
+    check(Math.abs(shown - stands) < step, `${label}: the figure shows what the slider says after fast keys (${shown}, ${stands})`);
     await page.close();
 }
 
@@ -317,6 +348,7 @@ try {
     for (const [url, label] of [[served, "server"], [fromDisk, "disk"]]) {
         await laws(context, url, label);
         await plays(context, url, label);
+        await heeds(context, url, label);
         await surface(context, new URL("../subdivision/loop.html", url).href, label);
         await everyPage(context, new URL("../", url).href, label);
     }
