@@ -1,6 +1,7 @@
 //! `subdivide` on meshes that a reader brings.
 
 use std::fs;
+use std::os::unix::fs::symlink;
 use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 use std::process::Command;
@@ -289,6 +290,46 @@ fn no_file_is_lost() {
         "octahedron.obj --scheme loop --force -o folder.obj",
         &["cannot be written"],
     );
+}
+
+#[test]
+fn the_file_behind_a_link_is_written() {
+    let folder = Folder::new();
+    fs::create_dir(folder.path("meshes")).expect("a folder");
+    folder.write("meshes/fine.obj", "precious");
+    symlink("meshes/fine.obj", folder.path("link.obj")).expect("a link");
+    symlink("link.obj", folder.path("twice.obj")).expect("a link");
+    folder.refuses(
+        "octahedron.obj --scheme loop -o twice.obj",
+        &["`twice.obj` is there already", "--force"],
+    );
+    assert_eq!(folder.read("meshes/fine.obj"), "precious");
+    let is_link = |file: &str| folder.path(file).is_symlink();
+    folder
+        .run("octahedron.obj --scheme loop --force -o twice.obj")
+        .assert_status(0);
+    assert!(is_link("twice.obj") && is_link("link.obj"));
+    assert_eq!(counts(&folder.read("meshes/fine.obj")), [18, 32]);
+
+    // A link whose file is not there yet says where the new file goes.
+    fs::remove_file(folder.path("meshes/fine.obj")).expect("a file");
+    folder
+        .run("octahedron.obj --scheme loop -o link.obj")
+        .assert_status(0);
+    assert!(is_link("link.obj") && !is_link("meshes/fine.obj"));
+    assert_eq!(counts(&folder.read("meshes/fine.obj")), [18, 32]);
+
+    symlink("itself.obj", folder.path("itself.obj")).expect("a link");
+    folder.refuses(
+        "octahedron.obj --scheme loop --force -o itself.obj",
+        &["`itself.obj` cannot be written (it is a link that leads to no file)"],
+    );
+    symlink("octahedron.obj", folder.path("input.obj")).expect("a link");
+    folder.refuses(
+        "octahedron.obj --scheme loop --force -o input.obj",
+        &["is the mesh that is read"],
+    );
+    assert_eq!(folder.read("octahedron.obj"), OCTAHEDRON);
 }
 
 #[test]

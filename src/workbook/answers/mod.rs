@@ -148,12 +148,7 @@ impl Answers {
     /// The file cannot be written; the old answer is still there then.
     pub fn write(&self, exercise: &Exercise, text: &str) -> Result<(), AnswersError> {
         let file = self.file(exercise);
-        let behind = if file.is_symlink() {
-            fs::canonicalize(&file).map_err(AnswersError::file(&file))?
-        } else {
-            file.clone()
-        };
-        durable::replace(&behind, text.as_bytes()).map_err(AnswersError::file(&file))
+        durable::replace(&file, text.as_bytes()).map_err(AnswersError::file(&file))
     }
 
     /// Copies the answer under the next free number and returns where the copy is; `None` if there is no answer.

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, value_parser};
 use thiserror::Error;
@@ -269,12 +269,7 @@ impl Subdivide {
         if self.out.exists() && !self.force {
             return Err(SubdivideError::Exists(self.out.clone()));
         }
-        let folder = match self.out.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        let tried = tempfile::Builder::new().prefix(".new-").tempfile_in(folder);
-        tried.map(drop).map_err(|reason| self.not_written(reason))
+        durable::try_new(&self.out).map_err(|reason| self.not_written(reason))
     }
 
     fn not_written(&self, reason: io::Error) -> SubdivideError {

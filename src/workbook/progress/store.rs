@@ -104,10 +104,9 @@ impl Store {
         let value = change(&mut progress);
         if progress != old {
             // Only the one who holds the lock writes, so what a killed command has left is written over.
-            let new = self.folder.join(".progress.new");
             let file = self.file();
             bytes(&progress)
-                .and_then(|text| durable::replace_by(&new, &file, &text))
+                .and_then(|text| durable::replace_by(".progress.new", &file, &text))
                 .map_err(ProgressError::file(&file))?;
         }
         Ok((value, notice))
