@@ -138,6 +138,9 @@ fn vertices_move_to_the_limit() {
     folder
         .run("cube.off --scheme catmull-clark --limit -o limit.off")
         .assert_status(0);
+    // A corner of a cube goes half the way to the centre; these numbers are without rounding.
+    let corner = folder.read("limit.off");
+    assert_eq!(corner.lines().nth(2), Some("0.25 0.25 0.25"), "{corner}");
     folder.refuses(
         "octahedron.obj --scheme butterfly --limit -o out.obj",
         &["--limit", "next step"],

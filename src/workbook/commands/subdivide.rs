@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::affine::Point;
 use crate::subdivision::files::{MeshFile, MeshFileError, Place};
 use crate::subdivision::{
-    Butterfly, CatmullClark, DooSabin, FaceId, Kobbelt, Loop, Mesh, MeshError, Refinement,
+    Butterfly, CatmullClark, Creases, DooSabin, FaceId, Kobbelt, Loop, Mesh, MeshError, Refinement,
     SchemeError, SurfaceScheme,
 };
 use crate::workbook::command_line::Outcome;
@@ -90,18 +90,26 @@ impl Scheme {
         }
     }
 
-    /// Every vertex at its place on the limit surface; `None` if the scheme has no rule for it here.
-    fn limit(self, mesh: &Space) -> Option<Result<Space, SchemeError>> {
-        let place = |v| match self {
-            Self::Loop => Some(Loop.limit_point(mesh, v)),
-            Self::CatmullClark => Some(CatmullClark.limit_position(mesh, v)),
+    /// The rule that moves all vertices to the limit surface, if the scheme has one.
+    fn limit(self) -> Option<LimitRule> {
+        match self {
+            Self::Loop => Some(|mesh| {
+                let vertices = mesh.connectivity().vertices();
+                vertices.map(|v| Loop.limit_point(mesh, v)).collect()
+            }),
+            Self::CatmullClark => Some(|mesh| {
+                // One list for all vertices: a list for each would cost as much as the whole mesh.
+                let smooth = Creases::none(mesh.connectivity());
+                let limit = |v| CatmullClark.limit_position_creased(mesh, &smooth, v);
+                mesh.connectivity().vertices().map(limit).collect()
+            }),
             Self::Butterfly | Self::Kobbelt | Self::DooSabin => None,
-        };
-        let points: Option<Result<Vec<_>, _>> = mesh.connectivity().vertices().map(place).collect();
-        let connectivity = || mesh.connectivity().clone();
-        Some(points?.and_then(|points| Ok(Mesh::new(connectivity(), points)?)))
+        }
     }
 }
+
+/// Where the vertices of a mesh go in the limit.
+type LimitRule = fn(&Space) -> Result<Vec<Point<f64, 3>>, SchemeError>;
 
 /// Why a mesh is not refined.
 #[derive(Debug, Error)]
@@ -225,6 +233,10 @@ impl Subdivide {
             file: self.out.clone(),
             next_step: "name it with `--format obj`, `off`, `ply` or `ply-binary`",
         })?;
+        let limit = match self.limit {
+            true => Some(self.scheme.limit().ok_or(SubdivideError::NoLimit)?),
+            false => None,
+        };
         if !self.to_standard_output() {
             self.must_be_writable()?;
         }
@@ -233,7 +245,7 @@ impl Subdivide {
             eprintln!("warning: `{}`: {dropped}", self.input.display());
         }
         self.must_suit(&file)?;
-        let refined = self.refined(&file)?;
+        let refined = self.refined(&file, limit)?;
         self.write(&refined, writes)?;
         let mesh = refined.connectivity();
         let counts = format!(
@@ -294,9 +306,6 @@ impl Subdivide {
 
     /// The scheme has rules for the faces, and the result is not too large.
     fn must_suit(&self, file: &MeshFile) -> Result<(), SubdivideError> {
-        if self.limit && !matches!(self.scheme, Scheme::Loop | Scheme::CatmullClark) {
-            return Err(SubdivideError::NoLimit);
-        }
         let mesh = file.mesh().connectivity();
         let degree_of = |f: FaceId| mesh.face_degree(f);
         if let Some(expected) = self.scheme.face_degree()
@@ -352,7 +361,7 @@ impl Subdivide {
         }
     }
 
-    fn refined(&self, file: &MeshFile) -> Result<Space, SubdivideError> {
+    fn refined(&self, file: &MeshFile, limit: Option<LimitRule>) -> Result<Space, SubdivideError> {
         let rules = self.scheme.rules();
         let mut refined = file.mesh().clone();
         for step in 1..=self.steps {
@@ -367,18 +376,18 @@ impl Subdivide {
                 _ => SubdivideError::Step { step, error },
             })?;
         }
-        if !self.limit {
+        let Some(limit) = limit else {
             return Ok(refined);
-        }
-        let limit = patiently("moving the vertices to the limit", || {
-            self.scheme.limit(&refined)
+        };
+        let moved = patiently("moving the vertices to the limit", || {
+            let points = limit(&refined)?;
+            let mesh = Mesh::new(refined.connectivity().clone(), points);
+            mesh.map_err(SchemeError::from)
         });
-        limit
-            .ok_or(SubdivideError::NoLimit)?
-            .map_err(|error| match self.steps {
-                0 => self.no_rule(file, error),
-                step => SubdivideError::Step { step, error },
-            })
+        moved.map_err(|error| match self.steps {
+            0 => self.no_rule(file, error),
+            step => SubdivideError::Step { step, error },
+        })
     }
 
     fn write(&self, mesh: &Space, format: MeshFormat) -> Result<(), SubdivideError> {
