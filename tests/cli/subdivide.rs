@@ -161,6 +161,16 @@ fn standard_output_takes_the_mesh() {
 }
 
 #[test]
+fn a_file_of_an_old_mac_is_read() {
+    let folder = Folder::new();
+    folder.write("mac.obj", &OCTAHEDRON.replace('\n', "\r"));
+    folder
+        .run("mac.obj --scheme loop -o out.obj")
+        .assert_status(0);
+    assert_eq!(counts(&folder.read("out.obj")), [18, 32]);
+}
+
+#[test]
 fn what_is_dropped_is_told() {
     let folder = Folder::new();
     folder.write(

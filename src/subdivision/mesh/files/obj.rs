@@ -30,9 +30,8 @@ use super::{Attribute, MeshFile, MeshFileError, MeshFileProblem, Place, Polygons
 pub fn read_obj(bytes: &[u8]) -> Result<MeshFile, MeshFileError> {
     let mut lines = Lines::of(bytes)?;
     let mut polygons = Polygons::default();
-    while let Some(line) = lines.next() {
+    while let Some(mut line) = lines.next() {
         let place = Place::Line(lines.number);
-        let mut line = line;
         // A line that ends in a backslash goes on in the next one.
         while let Some(begun) = line.strip_suffix('\\') {
             line = match lines.next() {
@@ -213,10 +212,20 @@ mod tests {
                 "{face}"
             );
         }
-        let windows = format!("\u{feff}# CRLF\n\n{SQUARE}f 1 2 3 4").replace('\n', "\r\n");
-        assert_eq!(read(&windows).mesh(), plain.mesh());
         let faces_first = format!("f 1 2 3 4\n{SQUARE}");
         assert_eq!(read(&faces_first).mesh(), plain.mesh());
+    }
+
+    #[test]
+    fn lines_end_as_on_any_machine() {
+        let text = format!("\u{feff}# a square\n\n{SQUARE}f 1 2 \\\n3 4\ns off");
+        let unix = read(&text);
+        for end in ["\r\n", "\r"] {
+            let other = read(&text.replace('\n', end));
+            assert_eq!(other, unix, "{end:?}");
+        }
+        refused("# c\rv 0 0 zero\r", 2, "expected a number, found `zero`");
+        refused("# c\r\rv 0 0 0\n\rv 1 0 one\r\n", 5, "found `one`");
     }
 
     #[test]

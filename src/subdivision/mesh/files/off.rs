@@ -291,6 +291,7 @@ mod tests {
             "OFF4 1 0",
             "# a square\n\nOFF # here\n# counts\n4 1 4",
             "\u{feff}OFF\r\n4 1 4\r",
+            "OFF\r# counts\r4 1 4",
         ] {
             let text = format!("{header}\n{SQUARE}\n4 0 1 2 3\n\n");
             assert_eq!(read(&text).mesh(), plain.mesh(), "{header}");

@@ -33,9 +33,12 @@ impl<'a> Iterator for Lines<'a> {
     /// The next line without its end and without a comment behind `#`.
     fn next(&mut self) -> Option<Cow<'a, str>> {
         let rest = self.rest?;
-        let line = match rest.iter().position(|&byte| byte == b'\n') {
+        // Old Macs ended a line with a carriage return alone.
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let line = match end {
             Some(end) => {
-                self.rest = Some(&rest[end + 1..]);
+                let behind = rest[end..].strip_prefix(b"\r\n");
+                self.rest = Some(behind.unwrap_or(&rest[end + 1..]));
                 &rest[..end]
             }
             None => {
