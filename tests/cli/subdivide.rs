@@ -254,7 +254,7 @@ fn too_many_steps_are_counted_first() {
         &[
             "11 steps would give 33554432 faces",
             "at most 16000000",
-            "`--steps 10` gives 8388608",
+            "next step: `--steps 10` gives 8388608; or allow more with `--max-faces`",
         ],
     );
     folder.refuses(
@@ -263,7 +263,15 @@ fn too_many_steps_are_counted_first() {
     );
     folder.refuses(
         "octahedron.obj --scheme loop --steps 40 --max-faces 18446744073709551615 -o out.obj",
-        &["9671406556917033397649408 faces", "at most 536870911"],
+        &[
+            "9671406556917033397649408 faces",
+            "at most 536870911",
+            "next step: `--steps 12` gives 134217728\n",
+        ],
+    );
+    folder.refuses(
+        "octahedron.obj --scheme loop --steps 0 --max-faces 7 -o out.obj",
+        &["would give 8 faces", "next step: allow more with"],
     );
     folder.refuses(
         "octahedron.obj --scheme loop --steps 41 -o out.obj",

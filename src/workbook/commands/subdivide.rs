@@ -171,7 +171,7 @@ pub enum SubdivideError {
     /// The result is too large.
     #[error(
         "{steps} steps would give {}{faces} faces, and at most {most} are made\n\
-         next step: `--steps {fewer}` gives {fewer_faces}; or allow more with `--max-faces`",
+         next step: {next_step}",
         .up_to
     )]
     TooLarge {
@@ -183,10 +183,8 @@ pub enum SubdivideError {
         up_to: &'static str,
         /// How many there may be.
         most: u64,
-        /// How many steps are possible.
-        fewer: u32,
-        /// How many faces they give.
-        fewer_faces: u128,
+        /// What to do.
+        next_step: String,
     },
     /// The result would be written over the mesh that was read.
     #[error("`{}` is the mesh that is read\nnext step: name another file with `--out`", .0.display())]
@@ -211,7 +209,7 @@ fn at(place: Option<Place>) -> String {
     place.map_or_else(String::new, |place| format!(", {place}"))
 }
 
-/// So many quadrilaterals have twice as many edges and eight times as many numbers of half-edges, if all lay at a boundary.
+/// A quadrilateral has at most eight half-edges, if no edge is shared, and the numbers of half-edges have 32 bits.
 const MOST_FACES: u64 = u32::MAX as u64 / 8;
 
 /// With more steps even one triangle would have more faces than there are numbers for.
@@ -330,15 +328,20 @@ impl Subdivide {
         }
         // Numbers grow at least twofold, so few steps are tried.
         let possible = (0..self.steps).map_while(|steps| Some((steps, fits(steps)?)));
-        let (fewer, fewer_faces) = possible.last().unwrap_or((0, mesh.face_count() as u128));
+        let fewer = possible.last();
+        let fewer = fewer.map(|(steps, faces)| format!("`--steps {steps}` gives {faces}"));
+        let more = (most < MOST_FACES).then(|| "allow more with `--max-faces`".to_owned());
+        let ways: Vec<String> = fewer.into_iter().chain(more).collect();
         let bounds = refinement == Refinement::CutCorners && !mesh.is_closed();
         Err(SubdivideError::TooLarge {
             steps: self.steps,
             faces: refinement.counts_after(mesh, self.steps)[2],
             up_to: if bounds { "up to " } else { "" },
             most,
-            fewer,
-            fewer_faces,
+            next_step: match ways.is_empty() {
+                true => "take a mesh with fewer faces".to_owned(),
+                false => ways.join("; or "),
+            },
         })
     }
 
