@@ -153,15 +153,45 @@ pub fn typed(words: &str, exercise: &Exercise) -> String {
         return words.to_owned();
     };
     let pack = shown(pack).display().to_string();
-    if pack.contains(char::is_whitespace) {
-        format!("{words} --pack '{pack}'")
+    format!("{words} --pack {}", quoted(&pack))
+}
+
+/// A word as a shell takes it for itself.
+fn quoted(word: &str) -> String {
+    let is_plain = |letter: char| letter.is_alphanumeric() || "/._-+@%,:=".contains(letter);
+    if word.chars().all(is_plain) {
+        word.to_owned()
     } else {
-        format!("{words} --pack {pack}")
+        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }
 
 /// A path as the reader would type it: from where he stands, if it is below.
 pub fn shown(path: &Path) -> PathBuf {
     let here = std::env::current_dir().unwrap_or_default();
-    path.strip_prefix(&here).unwrap_or(path).to_path_buf()
+    match path.strip_prefix(&here) {
+        Ok(below) if below.as_os_str().is_empty() => PathBuf::from("."),
+        Ok(below) => below.to_path_buf(),
+        Err(_) => path.to_path_buf(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_typed_as_a_shell_takes_it() {
+        let typed = ["../exam", "my exam", "it's", "$HOME", "Prüfung-1"].map(quoted);
+        let expected = ["../exam", "'my exam'", r"'it'\''s'", "'$HOME'", "Prüfung-1"];
+        assert_eq!(typed, expected);
+    }
+
+    #[test]
+    fn a_path_is_shown_from_where_the_reader_stands() {
+        let here = std::env::current_dir().expect("a folder");
+        assert_eq!(shown(&here.join("a/b")), Path::new("a/b"));
+        assert_eq!(shown(&here), Path::new("."));
+        assert_eq!(shown(Path::new("/elsewhere")), Path::new("/elsewhere"));
+    }
 }
