@@ -61,6 +61,11 @@ impl Verify {
         }
         let unreadable = self.unreadable(&mistakes);
         let chosen = self.chosen(&exercises, &unreadable)?;
+        let hidden = HiddenTests::load(&root, &packs, &exercises);
+        if let Err(errors) = &hidden {
+            eprintln!("{errors}\n");
+        }
+        let can_read_all = hidden.is_ok();
         let checker = Checker::new(&root, Isolation::best())?.patient();
         let bar = progress_bar();
         let mut verified = verify(&checker, &chosen, !self.no_cache, &|progress: Progress| {
@@ -68,11 +73,6 @@ impl Verify {
             bar.set_message(progress.exercise.name.to_string());
             bar.inc(1);
         })?;
-        let hidden = HiddenTests::load(&root, &packs, &exercises);
-        if let Err(errors) = &hidden {
-            bar.suspend(|| eprintln!("{errors}\n"));
-        }
-        let can_read_all = hidden.is_ok();
         for hidden in hidden.into_iter().flatten() {
             let exercise = chosen.iter().find(|e| e.name == hidden.exercise);
             let report = verified
