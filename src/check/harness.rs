@@ -32,8 +32,8 @@ thread_local! {
 
 /// The entry point of a test program.
 ///
-/// The first argument is the path of the socket, the others name the tests to run, in order; `--probes` stands for
-/// the probes.
+/// The first argument is the path of the socket, the others name the tests to run, in order; [`PROBES`] and
+/// [`PROBES_UNLESS_PASSED`] stand for the probes.
 ///
 /// # Panics
 ///
