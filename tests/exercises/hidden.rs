@@ -176,6 +176,35 @@ fn a_wrong_answer_beside_hidden_tests_passes_the_others() {
     );
 }
 
+#[test]
+fn a_wrong_answer_beside_hidden_tests_compiles_with_the_others() {
+    let hidden = Hidden::new(TESTS);
+    hidden
+        .pack
+        .replace("tests.rs", "answer::sum(3), 6", "answer::sum(3_i64), 6");
+    hidden.write("mutants/other.rs", &SMALL_ONLY.replace("i64", "i32"));
+    assert_found(
+        &hidden,
+        &[(
+            "hidden mutant other",
+            "the tests of the exercise do not compile with it",
+        )],
+    );
+}
+
+#[test]
+fn a_mistake_in_hidden_tests_is_told_with_their_file() {
+    let hidden = Hidden::new(&TESTS.replace("answer::sum(10)", "answer::total(10)"));
+    let report = hidden.report();
+    let solution = report.shortcomings.iter().find(|s| s.about == "solution");
+    let told = &solution.expect("they do not compile with it").details;
+    let file = hidden.folder().join(NAME).join("tests.rs");
+    assert!(
+        told.contains(&format!("--> {}:5:", file.display())),
+        "{told}"
+    );
+}
+
 /// The command reads the tests of the pack, tells their mistakes, and counts them.
 #[test]
 fn verify_reads_the_hidden_tests_of_a_pack() {

@@ -15,8 +15,6 @@ use crate::book::error::{BookError, BookErrors, Problem};
 pub struct HiddenTests {
     /// The exercise.
     pub exercise: ExerciseName,
-    /// The file, as the pack was named.
-    pub file: PathBuf,
     /// The tests.
     pub tests: TestsSource,
     /// Wrong answers that pass the tests of the exercise, by name.
@@ -104,7 +102,7 @@ fn read(
     if let Some(other) = others.iter().find(|other| other.exercise == *name) {
         let found = format!(
             "`{name}` already has hidden tests in {}",
-            other.file.display()
+            other.tests.file.display()
         );
         errors.push(mistake(&file, 1, found, "write them into one file"));
     }
@@ -129,7 +127,6 @@ fn read(
     if errors.is_empty() {
         Ok(HiddenTests {
             exercise: name.clone(),
-            file,
             tests,
             mutants,
         })

@@ -1,6 +1,6 @@
 //! The tests of an exercise, and the program that is made of them.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
@@ -20,6 +20,8 @@ pub struct TestItem {
 /// The file `tests.rs`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestsSource {
+    /// The file, relative to the root of the package or as the pack was named.
+    pub file: PathBuf,
     /// The source.
     pub text: String,
     /// The tests, in order.
@@ -76,6 +78,7 @@ impl TestsSource {
         }
         if search.errors.is_empty() {
             Ok(Self {
+                file: file.to_owned(),
                 text: text.to_owned(),
                 tests: search.tests,
                 has_probes: search.has_probes,

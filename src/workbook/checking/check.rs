@@ -31,7 +31,7 @@ pub struct Checker {
 
 /// How many compilers work for several answers to one exercise at a time.
 ///
-/// So one exercise alone uses two cores, and many at a time need not much more memory than cores.
+/// One exercise alone then keeps two cores busy, and many at a time do not need too much memory.
 const AT_ONCE: usize = 2;
 
 /// A program, or why there is none.
@@ -115,14 +115,9 @@ impl Checker {
     /// # Errors
     ///
     /// The compiler does not start.
-    pub fn compile(
-        &self,
-        exercise: &Exercise,
-        tested: &Tested,
-        answer: &Answer,
-    ) -> Result<Compiled, CheckingError> {
+    pub fn compile(&self, tested: &Tested, answer: &Answer) -> Result<Compiled, CheckingError> {
         match compile_answer(&self.library, answer, &self.runner)? {
-            Ok(compiled) => self.with_tests(exercise, tested, &compiled),
+            Ok(compiled) => self.with_tests(tested, &compiled),
             Err(diagnostics) => Ok(Compiled::Refused(diagnostics)),
         }
     }
@@ -134,7 +129,6 @@ impl Checker {
     /// The compiler does not start.
     pub fn compile_all(
         &self,
-        exercise: &Exercise,
         tested: &Tested,
         answers: &[&Answer],
     ) -> Result<Vec<Compiled>, CheckingError> {
@@ -149,7 +143,7 @@ impl Checker {
         let Some(programs) = programs else {
             // One that does not fit the tests keeps them all apart.
             return in_parallel(&compiled, AT_ONCE, |compiled| match compiled {
-                Ok(compiled) => self.with_tests(exercise, tested, compiled),
+                Ok(compiled) => self.with_tests(tested, compiled),
                 Err(diagnostics) => Ok(Compiled::Refused(diagnostics.clone())),
             });
         };
@@ -167,12 +161,11 @@ impl Checker {
     /// Compiles the tests with one answer.
     fn with_tests(
         &self,
-        exercise: &Exercise,
         tested: &Tested,
         answer: &CompiledAnswer,
     ) -> Result<Compiled, CheckingError> {
         let tests = Source {
-            shown_as: exercise.folder.join("tests.rs").display().to_string(),
+            shown_as: tested.tests.file.display().to_string(),
             text: tested.tests.program(),
         };
         let compiled = compile_tests(&self.library, answer, &tests, &self.runner)?;
@@ -217,11 +210,10 @@ impl Checker {
     /// The compiler or the program does not start.
     pub fn probes(
         &self,
-        exercise: &Exercise,
         tested: &Tested,
         answers: &[&Answer],
     ) -> Result<Vec<Option<Vec<String>>>, CheckingError> {
-        let compiled = self.compile_all(exercise, tested, answers)?;
+        let compiled = self.compile_all(tested, answers)?;
         in_parallel(&compiled, AT_ONCE, |compiled| match compiled {
             Compiled::Program(program, _) => run_probes(program, &self.limits, &self.runner),
             _ => Ok(None),
@@ -251,7 +243,7 @@ impl Checker {
             output: results.output,
             seconds: start.elapsed().as_secs_f64(),
         };
-        let (program, warnings) = match self.compile(exercise, tested, answer)? {
+        let (program, warnings) = match self.compile(tested, answer)? {
             Compiled::Program(program, warnings) => (program, warnings),
             Compiled::Refused(diagnostics) | Compiled::RefusedWithTests(diagnostics) => {
                 return Ok(verdict(

@@ -16,7 +16,7 @@ use super::CheckingError;
 use super::library::Library;
 use super::runner::Runner;
 use super::verdict::Diagnostic;
-use crate::book::exercise::TestsSource;
+use crate::book::exercise::{TestsSource, Variant};
 use crate::workbook::sandbox::{Ending, Job};
 
 /// A source with the name by which messages call it.
@@ -26,6 +26,15 @@ pub struct Source {
     pub shown_as: String,
     /// The source itself.
     pub text: String,
+}
+
+impl From<&Variant> for Source {
+    fn from(variant: &Variant) -> Self {
+        Self {
+            shown_as: variant.file.display().to_string(),
+            text: variant.text.clone(),
+        }
+    }
 }
 
 /// A compiled answer, in a folder of its own that ends with it and its program.

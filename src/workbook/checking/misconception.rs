@@ -76,16 +76,9 @@ fn probes_of_mutants(
     {
         return Ok(known);
     }
-    let sources: Vec<Source> = tested
-        .mutants
-        .iter()
-        .map(|mutant| Source {
-            shown_as: mutant.file.display().to_string(),
-            text: mutant.text.clone(),
-        })
-        .collect();
+    let sources: Vec<Source> = tested.mutants.iter().map(Source::from).collect();
     // A reader waits for the first wrong answer to an exercise.
-    let found = checker.probes(exercise, tested, &sources.iter().collect::<Vec<_>>())?;
+    let found = checker.probes(tested, &sources.iter().collect::<Vec<_>>())?;
     let named = tested.mutants.iter().zip(found);
     let mutants = named
         .filter_map(|(mutant, values)| Some((mutant.name.clone(), values?)))

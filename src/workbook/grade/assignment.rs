@@ -59,15 +59,10 @@ impl<'a> Assignment<'a> {
     /// # Errors
     ///
     /// They do not, or the check cannot run.
-    pub fn accepts_the_solution(
-        &self,
-        checker: &Checker,
-        hidden: &[HiddenTests],
-    ) -> Result<(), GradeError> {
+    pub fn accepts_the_solution(&self, checker: &Checker) -> Result<(), GradeError> {
         let Some(with_hidden) = &self.hidden else {
             return Ok(());
         };
-        let name = &self.exercise.name;
         let solution = Answer {
             shown_as: self.exercise.folder.join("answer.rs").display().to_string(),
             text: self.tested.answer.solution.clone(),
@@ -83,10 +78,9 @@ impl<'a> Assignment<'a> {
                 format!("they do not compile with it\n{}", said.collect::<String>())
             }
         };
-        let file = hidden.iter().find(|h| h.exercise == *name);
         Err(GradeError::Hidden {
-            exercise: name.to_string(),
-            file: file.map(|h| h.file.clone()).unwrap_or_default(),
+            exercise: self.exercise.name.to_string(),
+            file: with_hidden.tests.file.clone(),
             found,
         })
     }

@@ -2,14 +2,11 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use crate::book::exercise::{Exercise, Tested, Variant};
 use crate::workbook::checking::compile::Source;
 
 /// What an answer is there for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// What the reader begins with; the tests must reject it.
     Starter,
@@ -55,27 +52,17 @@ impl Candidate {
             (Role::Alternative, &tested.alternatives),
         ];
         for (role, variants) in variants {
-            all.extend(variants.iter().map(|variant| Self {
-                role,
-                name: variant.name.clone(),
-                source: Source {
-                    shown_as: variant.file.display().to_string(),
-                    text: variant.text.clone(),
-                },
-            }));
+            all.extend(variants.iter().map(|variant| Self::of(role, variant)));
         }
         all
     }
 
-    /// A wrong answer that stands beside hidden tests.
-    pub fn hidden(mutant: &Variant) -> Self {
+    /// The answer of a file of its own.
+    pub fn of(role: Role, variant: &Variant) -> Self {
         Self {
-            role: Role::HiddenMutant,
-            name: mutant.name.clone(),
-            source: Source {
-                shown_as: mutant.file.display().to_string(),
-                text: mutant.text.clone(),
-            },
+            role,
+            name: variant.name.clone(),
+            source: Source::from(variant),
         }
     }
 

@@ -1,11 +1,10 @@
 //! Hidden tests are proved as well: they accept what is right, and reject what nothing else rejects.
 
 use super::candidate::{Candidate, Role};
-use super::judge::{rendered, verb};
-use super::report::{Column, HiddenReport, Report, Shortcoming, TestReport};
+use super::judge::{self, rendered, verb};
+use super::report::{HiddenReport, Report, Shortcoming, TestReport};
 use super::trial::{self, Compilation, Trial, first_failure};
 use crate::book::exercise::{Exercise, HiddenTests, Tested};
-use crate::workbook::checking::verdict::TestOutcome;
 use crate::workbook::checking::{Checker, CheckingError};
 
 /// Tries the answers of an exercise with the hidden tests, and adds what was found to its report.
@@ -21,12 +20,16 @@ pub fn add(
     report: &mut Report,
 ) -> Result<(), CheckingError> {
     let with_hidden = hidden.instead_of(tested);
-    let more: Vec<Candidate> = hidden.mutants.iter().map(Candidate::hidden).collect();
+    let more: Vec<Candidate> = hidden
+        .mutants
+        .iter()
+        .map(|mutant| Candidate::of(Role::HiddenMutant, mutant))
+        .collect();
     let mut all = Candidate::all(exercise, tested);
     all.extend(more.iter().cloned());
-    let trials = trial::run(checker, exercise, &with_hidden, &all, &|| {})?;
+    let trials = trial::run(checker, &with_hidden, &all, &|| {})?;
     // The answers of the exercise have met its own tests already, the wrong answers beside the hidden ones have not.
-    let with_own_tests = trial::run(checker, exercise, tested, &more, &|| {})?;
+    let with_own_tests = trial::run(checker, tested, &more, &|| {})?;
 
     let mut judge = Judge {
         hidden,
@@ -52,32 +55,7 @@ pub fn add(
             })
         }
     };
-    let tests: Vec<TestReport> = hidden
-        .tests
-        .tests
-        .iter()
-        .map(|test| {
-            let (mut rejects, mut alone) = (Vec::new(), Vec::new());
-            for trial in trials.iter().filter(|t| t.candidate.is_wrong()) {
-                let rejecting: Vec<_> = trial.ending(TestOutcome::Rejected).collect();
-                if !rejecting.iter().any(|result| result.test == test.name) {
-                    continue;
-                }
-                let name = trial.candidate.to_string();
-                if rejecting.len() == 1 && !is_rejected_elsewhere(trial) {
-                    alone.push(name.clone());
-                }
-                rejects.push(name);
-            }
-            TestReport {
-                name: test.name.clone(),
-                line: test.line,
-                why: test.why.clone(),
-                rejects,
-                alone,
-            }
-        })
-        .collect();
+    let tests = judge::tests(&hidden.tests.tests, &trials, is_rejected_elsewhere);
     for test in &tests {
         judge.test(test);
     }
@@ -88,15 +66,9 @@ pub fn add(
         .map(|t| t.seconds)
         .sum::<f64>();
     report.hidden = Some(HiddenReport {
-        file: hidden.file.clone(),
+        file: hidden.tests.file.clone(),
         tests,
-        matrix: trials
-            .iter()
-            .map(|trial| Column {
-                answer: trial.candidate.to_string(),
-                outcomes: trial.results.iter().map(|result| result.outcome).collect(),
-            })
-            .collect(),
+        matrix: judge::matrix(&trials),
     });
     Ok(())
 }
@@ -118,7 +90,7 @@ impl Judge<'_> {
     }
 
     fn tests_file(&self) -> String {
-        self.hidden.file.display().to_string()
+        self.hidden.tests.file.display().to_string()
     }
 
     /// The tests compile with every answer; the right ones pass, and the wrong ones beside the tests are rejected.
@@ -175,19 +147,23 @@ impl Judge<'_> {
 
     /// A wrong answer beside the hidden tests is one that the tests of the exercise do not reject.
     fn is_of_the_hidden_tests(&mut self, trial: &Trial) {
-        if let Some(failure) = first_failure(&trial.results) {
-            let about = trial.candidate.to_string();
-            let found = format!(
-                "the test `{}` of the exercise {} it already",
-                failure.test,
-                verb(failure.outcome)
-            );
-            let remedy = format!(
-                "take `{}` out, or let it pass the tests that readers see",
-                trial.candidate.source.shown_as
-            );
-            self.falls_short(about, found, remedy, failure.message.clone());
-        }
+        let (found, details) = match (&trial.compilation, first_failure(&trial.results)) {
+            (Compilation::RefusedWithTests(errors), _) => {
+                let found = "the tests of the exercise do not compile with it".to_owned();
+                (found, rendered(errors))
+            }
+            (_, Some(failure)) => {
+                let (test, verb) = (&failure.test, verb(failure.outcome));
+                let found = format!("the test `{test}` of the exercise {verb} it already");
+                (found, failure.message.clone())
+            }
+            _ => return,
+        };
+        let remedy = format!(
+            "take `{}` out, or let it pass the tests that readers see",
+            trial.candidate.source.shown_as
+        );
+        self.falls_short(trial.candidate.to_string(), found, remedy, details);
     }
 
     /// Every hidden test rejects something that no other test rejects, or says why it is there.
@@ -199,7 +175,7 @@ impl Judge<'_> {
             true => "it rejects neither the starter nor a wrong answer",
             false => "other tests reject all that it rejects",
         };
-        let folder = self.hidden.file.with_file_name("mutants");
+        let folder = self.hidden.tests.file.with_file_name("mutants");
         let remedy = format!(
             "write the wrong answer that only it rejects into `{}`, or say by `/// Why: …` above it why it is there (`{}:{}`)",
             folder.display(),

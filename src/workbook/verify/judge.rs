@@ -8,7 +8,7 @@ use super::report::{
 use super::to_do;
 use super::trial::{Compilation, OTHER_SEEDS, Trial, first_failure};
 use crate::book::error::BookError;
-use crate::book::exercise::{Exercise, ExerciseKind, ExerciseName, Tested};
+use crate::book::exercise::{Exercise, ExerciseKind, ExerciseName, TestItem, Tested};
 use crate::workbook::checking::misconception::behave_alike;
 use crate::workbook::checking::verdict::{Diagnostic, TestOutcome, TestResult};
 
@@ -67,7 +67,7 @@ pub fn judge(exercise: &Exercise, tested: &Tested, trials: &[Trial]) -> Report {
     for trial in of(Role::Starter).chain(of(Role::Mutant)) {
         judge.wrong_answer(trial);
     }
-    let tests = tests(tested, trials);
+    let tests = tests(&tested.tests.tests, trials, |_| false);
     for test in &tests {
         judge.test(test);
     }
@@ -112,15 +112,7 @@ pub fn judge(exercise: &Exercise, tested: &Tested, trials: &[Trial]) -> Report {
                 .collect(),
         ),
         tests: Some(tests),
-        matrix: Some(
-            trials
-                .iter()
-                .map(|trial| Column {
-                    answer: trial.candidate.to_string(),
-                    outcomes: trial.results.iter().map(|result| result.outcome).collect(),
-                })
-                .collect(),
-        ),
+        matrix: Some(matrix(trials)),
         seconds: trials.iter().map(|trial| trial.seconds).sum(),
         shortcomings,
         ..nothing_tried(&exercise.name, Some(exercise.front.kind))
@@ -133,14 +125,15 @@ fn rejected_by(trial: &Trial) -> Option<String> {
     rejecting.next().map(|result| result.test.clone())
 }
 
-/// What each test rejects, and what it alone rejects.
-fn tests(tested: &Tested, trials: &[Trial]) -> Vec<TestReport> {
-    let wrong: Vec<&Trial> = trials
-        .iter()
-        .filter(|trial| matches!(trial.candidate.role, Role::Starter | Role::Mutant))
-        .collect();
-    let items = tested.tests.tests.iter();
+/// What each test rejects, and what nothing else rejects: neither another of these tests nor one elsewhere.
+pub(super) fn tests(
+    items: &[TestItem],
+    trials: &[Trial],
+    is_rejected_elsewhere: impl Fn(&Trial) -> bool,
+) -> Vec<TestReport> {
+    let wrong: Vec<&Trial> = trials.iter().filter(|t| t.candidate.is_wrong()).collect();
     items
+        .iter()
         .map(|test| {
             let rejected = wrong.iter().filter(|trial| {
                 trial
@@ -150,7 +143,8 @@ fn tests(tested: &Tested, trials: &[Trial]) -> Vec<TestReport> {
             let (mut rejects, mut alone) = (Vec::new(), Vec::new());
             for trial in rejected {
                 let name = trial.candidate.to_string();
-                if trial.ending(TestOutcome::Rejected).count() == 1 {
+                let is_alone = trial.ending(TestOutcome::Rejected).count() == 1;
+                if is_alone && !is_rejected_elsewhere(trial) {
                     alone.push(name.clone());
                 }
                 rejects.push(name);
@@ -162,6 +156,17 @@ fn tests(tested: &Tested, trials: &[Trial]) -> Vec<TestReport> {
                 rejects,
                 alone,
             }
+        })
+        .collect()
+}
+
+/// How each test ended with each answer.
+pub(super) fn matrix(trials: &[Trial]) -> Vec<Column> {
+    trials
+        .iter()
+        .map(|trial| Column {
+            answer: trial.candidate.to_string(),
+            outcomes: trial.results.iter().map(|result| result.outcome).collect(),
         })
         .collect()
 }
@@ -184,16 +189,14 @@ impl Judge<'_> {
 
     /// The file of an answer, as its author knows it.
     fn file(&self, trial: &Trial) -> String {
-        let folder = &self.exercise.folder;
-        let name = &trial.candidate.name;
-        let file = match trial.candidate.role {
-            Role::Starter | Role::Solution => folder.join("answer.rs"),
-            Role::Mutant => folder.join("mutants").join(format!("{name}.rs")),
-            Role::Alternative => folder.join("alternatives").join(format!("{name}.rs")),
-            // Nothing of the exercise; its source is called as its file.
-            Role::HiddenMutant => trial.candidate.source.shown_as.clone().into(),
-        };
-        file.display().to_string()
+        match trial.candidate.role {
+            Role::Starter | Role::Solution => {
+                self.exercise.folder.join("answer.rs").display().to_string()
+            }
+            Role::Mutant | Role::Alternative | Role::HiddenMutant => {
+                trial.candidate.source.shown_as.clone()
+            }
+        }
     }
 
     fn tests_file(&self) -> String {

@@ -8,9 +8,9 @@
 //! | module | is |
 //! |---|---|
 //! | [`candidate`] | the answers that an exercise brings: starter, solution, mutants, alternatives |
-//! | [`trial`] | one of them is compiled and run |
+//! | [`trial`] | they are compiled and run |
 //! | [`judge`] | the rules: what the trials must show |
-//! | [`hidden`] | the same for the hidden tests of a pack |
+//! | [`hidden`] | the same, with the hidden tests of a pack |
 //! | [`to_do`] | what an author has left open |
 //! | [`report`] | what `verify --json` prints |
 //! | [`session`] | many exercises at once, on all cores, with the cache |

@@ -115,7 +115,7 @@ impl Open<'_> {
         checker: &Checker,
         tell: &(dyn Fn() + Sync),
     ) -> Result<Verified, CheckingError> {
-        let trials = trial::run(checker, self.exercise, self.tested, &self.candidates, tell)?;
+        let trials = trial::run(checker, self.tested, &self.candidates, tell)?;
         let report = judge(self.exercise, self.tested, &trials);
         let record = Record {
             key: self.key.clone(),

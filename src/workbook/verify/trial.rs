@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use super::candidate::{Candidate, Role};
-use crate::book::exercise::{Exercise, Tested};
+use crate::book::exercise::Tested;
 use crate::workbook::checking::check::Compiled;
 use crate::workbook::checking::compile::Source;
 use crate::workbook::checking::trial::{AfterTooLong, WithProbes, run_probes, run_tests};
@@ -92,7 +92,6 @@ pub(super) fn first_failure(results: &[TestResult]) -> Option<&TestResult> {
 /// The compiler or the program does not start.
 pub fn run(
     checker: &Checker,
-    exercise: &Exercise,
     tested: &Tested,
     candidates: &[Candidate],
     tell: &(dyn Fn() + Sync),
@@ -104,7 +103,7 @@ pub fn run(
     let trials = in_parallel(&groups, groups.len(), |group| {
         let start = Instant::now();
         let sources: Vec<&Source> = group.iter().map(|candidate| &candidate.source).collect();
-        let compiled = checker.compile_all(exercise, tested, &sources)?;
+        let compiled = checker.compile_all(tested, &sources)?;
         let share = start.elapsed().as_secs_f64() / group.len().max(1) as f64;
         let pairs: Vec<(&&Candidate, Compiled)> = group.iter().zip(compiled).collect();
         in_parallel(&pairs, AT_ONCE, |(candidate, compiled)| {

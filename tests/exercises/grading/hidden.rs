@@ -87,7 +87,7 @@ fn hidden_tests_that_reject_the_solution_are_told_before_anybody_fails() {
     let class = Class::new();
     class.hands_in("anna", &solution());
     let all = Assignment::all(&exercises, &hidden, &class.read(), None);
-    let error = all[0].accepts_the_solution(&checker(TIME), &hidden);
+    let error = all[0].accepts_the_solution(&checker(TIME));
     let error = error.expect_err("they are wrong").to_string();
     assert!(
         error.contains("with_decimals") && error.contains("tests.rs"),
