@@ -126,14 +126,16 @@ fn formulas_become_mathml_that_markdown_has_not_touched() {
 
 #[test]
 fn the_signs_that_touch_a_formula_stay_on_its_line() {
-    let page = "# P\n\nSo ($a$), the $b$-th ($c$ and $d$) **$e$.** But $f$ (*g*).\n";
+    let page =
+        "# P\n\nSo ($a$), the $b$-th, $h$-dimensional ($c$ and $d$) **$e$.** But $f$ (*g*).\n";
     let html = Fixture::new(page).page();
     let math = |letter| format!("<math><mi>{letter}</mi></math>");
     let bound = |text: String| format!("<span class=\"bound\">{text}</span>");
     let sentence = format!(
-        "So {} the {}th {} and {} <strong>{}</strong> But {} (<em>g</em>).",
+        "So {} the {}, {}dimensional {} and {} <strong>{}</strong> But {} (<em>g</em>).",
         bound(format!("({}),", math('a'))),
-        bound(format!("{}-", math('b'))),
+        bound(format!("{}-th", math('b'))),
+        bound(format!("{}-", math('h'))),
         bound(format!("({}", math('c'))),
         bound(format!("{})", math('d'))),
         bound(format!("{}.", math('e'))),

@@ -10,6 +10,9 @@ use crate::book::page::Formula;
 /// What may not begin a line, and so stays on the line of the formula before it.
 const CLOSING: [char; 9] = ['.', ',', ';', ':', '!', '?', ')', '’', '-'];
 
+/// How many letters behind a formula and a hyphen stay on its line: those of “th” and “fold”.
+const LONGEST_ENDING: usize = 4;
+
 impl Expansion<'_> {
     /// What stands in the place of a formula, and of which bytes.
     ///
@@ -29,7 +32,14 @@ impl Expansion<'_> {
         let after = &self.page.text[span.end..within.end];
         let opening = if before.ends_with('(') { "(" } else { "" };
         let rest = after.trim_start_matches(CLOSING);
-        let closing = &after[..after.len() - rest.len()];
+        let mut closing = &after[..after.len() - rest.len()];
+        if closing.ends_with('-') {
+            // A short ending, as in “the j-th”, stays too; a word may go to the next line.
+            let ending = rest.len() - rest.trim_start_matches(char::is_alphabetic).len();
+            if ending <= LONGEST_ENDING {
+                closing = &after[..closing.len() + ending];
+            }
+        }
         if opening.is_empty() && closing.is_empty() {
             return (span, mathml);
         }
