@@ -121,7 +121,7 @@ impl<T: Scalar> LaurentPolynomial<T> {
         }
         let horner = |sum: T, c: &T| sum * z.clone() + c.clone();
         let value = self.coefficients.iter().rev().fold(T::zero(), horner);
-        let power = (0..self.lowest.abs()).fold(T::one(), |power, _| power * z.clone());
+        let power = power(z, self.lowest.unsigned_abs());
         Some(if self.lowest < 0 {
             value / power
         } else {
@@ -226,6 +226,22 @@ impl<T: OrderedScalar> LaurentPolynomial<T> {
     }
 }
 
+/// `base` to an exponent of 64 bits on every platform, which that of `num_traits::pow` is not, by repeated squaring.
+fn power<T: Scalar>(mut base: T, mut exponent: u64) -> T {
+    let mut power = T::one();
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            power = power * base.clone();
+        }
+        exponent /= 2;
+        // The last square is not needed, and would be the largest number of all.
+        if exponent > 0 {
+            base = base.clone() * base;
+        }
+    }
+    power
+}
+
 impl<T: Scalar> Mul for &LaurentPolynomial<T> {
     type Output = LaurentPolynomial<T>;
 
@@ -303,5 +319,13 @@ mod tests {
         assert_eq!(p.at(0.0), None);
         assert_eq!(p.shifted(2).at(0.0), Some(3.0));
         assert_eq!(p.stretched(3).at(2.0), p.at(8.0));
+    }
+
+    #[test]
+    fn values_at_powers_too_high_to_multiply_one_by_one() {
+        let far = LaurentPolynomial::new(1 << 60, [3.0, 1.0]);
+        assert_eq!(far.at(1.0), Some(4.0));
+        assert_eq!(far.at(-1.0), Some(2.0), "the lower power is even");
+        assert_eq!(far.shifted(-(1 << 60) + 13).at(2.0), Some(5.0 * 8192.0));
     }
 }
