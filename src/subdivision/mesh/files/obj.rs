@@ -33,11 +33,13 @@ pub fn read_obj(bytes: &[u8]) -> Result<MeshFile, MeshFileError> {
     while let Some(mut line) = lines.next() {
         let place = Place::Line(lines.number);
         // A line that ends in a backslash goes on in the next one.
-        while let Some(begun) = line.strip_suffix('\\') {
-            line = match lines.next() {
-                Some(more) => format!("{begun} {more}").into(),
-                None => begun.to_owned().into(),
-            };
+        while line.ends_with('\\') {
+            let begun = line.to_mut();
+            begun.pop();
+            begun.push(' ');
+            if let Some(more) = lines.next() {
+                begun.push_str(&more);
+            }
         }
         let mut words = line.split_ascii_whitespace();
         if let Some(keyword) = words.next() {
