@@ -59,13 +59,15 @@ fn side<T: Scalar>(numbers: &[T]) -> String {
 /// A number with few digits; a fraction as a decimal.
 fn short<T: Scalar>(number: &T) -> String {
     let text = number.to_string();
-    let value = match text.split_once('/') {
-        Some((above, below)) => above
-            .parse::<f64>()
-            .and_then(|above| Ok(above / below.parse::<f64>()?)),
-        None => text.parse::<f64>(),
-    };
-    value.map_or(text, readable)
+    match text.parse() {
+        Ok(value) => readable(value),
+        // Both parts of a fraction may be too large for 64 bits, where their quotient is not.
+        Err(_) if text.contains('/') => {
+            let sign = if text.starts_with('-') { -1.0 } else { 1.0 };
+            readable(sign * number.magnitude())
+        }
+        Err(_) => text,
+    }
 }
 
 /// A number as a reader wants to see it: four digits, and a power of ten where there would be many zeros.
@@ -109,5 +111,8 @@ mod tests {
         assert_eq!(side(&[3.5276, -0.0, 8.88e-15]), "3.528, 0, 8.9·10⁻¹⁵");
         assert_eq!(side(&[BigRational::from_ratio(-7, 3)]), "−2.333");
         assert_eq!(side(&[1.0; 9]), "1, 1, 1, 1, …");
+        let huge = num_traits::pow(<BigRational as Scalar>::from_integer(2), 1100);
+        let near_a_half = (&huge - BigRational::from_ratio(1, 1)) / (-&huge - &huge);
+        assert_eq!(side(&[near_a_half]), "−0.5");
     }
 }
