@@ -1,7 +1,7 @@
 //! Catmull–Clark subdivision: bicubic where the mesh is regular, defined for meshes of any polygons.
 
 use super::creases::{Creases, VertexRule};
-use super::stencil::{count, mean, weighted};
+use super::stencil::{along_crease, count, mean, weighted};
 use super::{EdgeId, FaceId, HalfEdgeId, Mesh, SchemeError, SurfaceScheme, VertexId};
 use crate::affine::Affine;
 use num_traits::One;
@@ -168,7 +168,7 @@ impl CatmullClark {
     /// # Ok::<(), cagd::subdivision::SchemeError>(())
     /// ```
     pub fn limit_position<P: Affine>(&self, mesh: &Mesh<P>, v: VertexId) -> Result<P, SchemeError> {
-        self.limit_position_creased(mesh, &Creases::none(mesh.connectivity()), v)
+        self.limit_position_creased(mesh, &Creases::UNTAGGED, v)
     }
 
     /// Where a vertex of a quadrilateral mesh ends after infinitely many steps of [`refine_creased`](Self::refine_creased).
@@ -328,8 +328,7 @@ impl<P: Affine> SurfaceScheme<P> for CatmullClark {
     }
 
     fn refine(&self, mesh: &Mesh<P>) -> Result<Mesh<P>, SchemeError> {
-        let creases = Creases::none(mesh.connectivity());
-        Ok(self.refine_creased(mesh, &creases)?.0)
+        Ok(self.refine_creased(mesh, &Creases::UNTAGGED)?.0)
     }
 }
 
@@ -395,15 +394,4 @@ fn vertex_point<P: Affine>(
             }))
         }
     }
-}
-
-/// (a + w·v + b)/n for [w, n], along a crease from a over v to b.
-fn along_crease<P: Affine>(
-    mesh: &Mesh<P>,
-    v: VertexId,
-    [a, b]: [VertexId; 2],
-    [own, whole]: [i64; 2],
-) -> P {
-    let share = |part| P::Scalar::from_ratio(part, whole);
-    weighted(mesh, [(share(1), a), (share(own), v), (share(1), b)])
 }

@@ -71,6 +71,12 @@ pub enum CreaseError {
 }
 
 impl Creases {
+    /// No tags for any mesh, to be read only: what is beyond the tags is not tagged.
+    pub(super) const UNTAGGED: Self = Self {
+        sharp: vec![],
+        corner: vec![],
+    };
+
     /// No tags: only the boundary is sharp.
     #[must_use]
     pub fn none(mesh: &HalfEdgeMesh) -> Self {
@@ -152,9 +158,9 @@ impl Creases {
     /// Whether exactly one sharp edge ends at `v`, which then is a dart; its own rule is the smooth one.
     #[must_use]
     pub fn is_dart(&self, mesh: &HalfEdgeMesh, v: VertexId) -> bool {
-        let ring = mesh.vertex_ring(v).map(|h| mesh.edge(h));
-        self.rule(mesh, v) == VertexRule::Smooth
-            && ring.filter(|&e| self.is_sharp(mesh, e)).count() == 1
+        // The smooth rule is for one sharp edge at the most.
+        let mut edges = mesh.vertex_ring(v).map(|h| mesh.edge(h));
+        self.rule(mesh, v) == VertexRule::Smooth && edges.any(|e| self.is_sharp(mesh, e))
     }
 
     /// The tags after one split of all edges: the halves of edge e are 2e and 2e + 1, old vertices keep their numbers.

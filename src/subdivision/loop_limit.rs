@@ -5,10 +5,9 @@ use num_traits::One as _;
 use super::cosine::{CosineError, CosineOfTurn};
 use super::creases::{Creases, VertexRule};
 use super::loop_scheme::{Loop, boundary_neighbours, loop_limit_weight};
-use super::stencil::{count, weighted};
+use super::stencil::{along_crease, count, weighted};
 use super::{Mesh, SchemeError, VertexId};
 use crate::affine::{Affine, Point, Vector};
-use crate::scalar::Scalar;
 
 /// The weights of the neighbours of an inner vertex in a tangent vector: cos(2π(i − j)/k) for neighbour i.
 ///
@@ -109,7 +108,7 @@ impl Loop {
     {
         let connectivity = mesh.connectivity();
         if connectivity.is_boundary(v) {
-            return Ok(crease_limit(mesh, v, boundary_neighbours(mesh, v)));
+            return Ok(along_crease(mesh, v, boundary_neighbours(mesh, v), [4, 6]));
         }
         let valence = connectivity.valence(v);
         let omega = loop_limit_weight::<P::Scalar>(valence).map_err(|_| irrational(v, valence))?;
@@ -159,7 +158,7 @@ impl Loop {
         let connectivity = mesh.connectivity();
         match creases.rule(connectivity, v) {
             VertexRule::Corner => Ok(mesh.point(v).clone()),
-            VertexRule::Crease(ends) => Ok(crease_limit(mesh, v, ends)),
+            VertexRule::Crease(ends) => Ok(along_crease(mesh, v, ends, [4, 6])),
             VertexRule::Smooth if creases.is_dart(connectivity, v) => Err(SchemeError::CreaseEnd {
                 scheme: "Loop's scheme",
                 vertex: v,
@@ -221,13 +220,6 @@ impl Loop {
         }
         Ok(tangents)
     }
-}
-
-/// (4v + a + b)/6, the limit of the cubic rule for curves.
-fn crease_limit<P: Affine>(mesh: &Mesh<P>, v: VertexId, ends: [VertexId; 2]) -> P {
-    let [own, end] = [4, 1].map(|sixths| P::Scalar::from_ratio(sixths, 6));
-    let ends = ends.map(|n| (end.clone(), n));
-    weighted(mesh, std::iter::once((own, v)).chain(ends))
 }
 
 fn irrational(vertex: VertexId, valence: usize) -> SchemeError {

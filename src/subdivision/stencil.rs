@@ -21,6 +21,17 @@ pub(super) fn weighted<P: Affine>(
     })
 }
 
+/// (a + w·v + b)/n for [w, n], along a crease from a over v to b.
+pub(super) fn along_crease<P: Affine>(
+    mesh: &Mesh<P>,
+    v: VertexId,
+    [a, b]: [VertexId; 2],
+    [own, whole]: [i64; 2],
+) -> P {
+    let share = |part| P::Scalar::from_ratio(part, whole);
+    weighted(mesh, [(share(1), a), (share(own), v), (share(1), b)])
+}
+
 /// The mean of some points; none have no mean, and the caller gives at least one.
 pub(super) fn mean<P: Affine>(points: &[&P]) -> P {
     let share = P::Scalar::one() / count::<P::Scalar>(points.len());
