@@ -1,10 +1,10 @@
 //! The eigenvalues of the subdivision matrices and the tests of the characteristic maps, by valence.
 
 use super::{Computed, VALENCES};
-use crate::affine::Point;
+use crate::scalar::Scalar as _;
+use crate::subdivision::figures::{Chosen, SCHEMES};
 use crate::subdivision::{
-    Butterfly, CatmullClark, CharacteristicMap, DooSabin, FanNet, Kobbelt, Loop, Spectrum,
-    SubdivisionMatrix, SubdivisionMatrixError, SurfaceScheme,
+    CharacteristicMap, FanNet, Spectrum, SubdivisionMatrix, SubdivisionMatrixError,
 };
 
 pub(super) const ALL: &[Computed] = &[
@@ -13,97 +13,59 @@ pub(super) const ALL: &[Computed] = &[
     ("characteristic_tests", characteristic_tests),
 ];
 
-/// Something that is asked of each scheme of the chapter at one valence; its smallest matrix has so many rings.
-trait Question {
-    fn ask<S>(
-        &self,
-        scheme: &S,
-        net: FanNet,
-        valence: usize,
-        rings: usize,
-    ) -> Result<String, SubdivisionMatrixError>
-    where
-        S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>;
-}
+/// The heads of the columns, in the order of the schemes.
+const NAMES: [&str; 6] = [
+    "Loop",
+    "Butterfly",
+    "Catmull–Clark",
+    "Doo–Sabin",
+    "Kobbelt",
+    "eight points",
+];
 
-/// A table with a row for each valence, the five schemes and perhaps the unmodified Butterfly scheme in its columns.
-fn table(question: &impl Question, with_eight_points: bool) -> String {
-    let mut names = vec!["Loop", "Butterfly", "Catmull–Clark", "Doo–Sabin", "Kobbelt"];
-    if with_eight_points {
-        names.push("eight points");
-    }
-    let mut table = format!("| $k$ | {} |\n|--:|", names.join(" | "));
-    table += &"--:|".repeat(names.len());
+/// A table with a row for each valence and a column for each of the first `columns` schemes.
+///
+/// A cell is told the scheme, its net, the valence and the rings of its smallest matrix.
+fn table(
+    columns: usize,
+    cell: impl Fn(Chosen, FanNet, usize, usize) -> Result<String, SubdivisionMatrixError>,
+) -> String {
+    let mut table = format!("| $k$ | {} |\n|--:|", NAMES[..columns].join(" | "));
+    table += &"--:|".repeat(columns);
     table += "\n";
     for k in VALENCES {
-        let cells = [
-            question.ask(&Loop, FanNet::Triangles, k, 1),
-            question.ask(&Butterfly::MODIFIED, FanNet::Triangles, k, 2),
-            question.ask(&CatmullClark, FanNet::Quadrilaterals, k, 1),
-            question.ask(&DooSabin, FanNet::AroundFace, k, 2),
-            question.ask(&Kobbelt, FanNet::Quadrilaterals, k, 2),
-        ];
-        let mut cells = Vec::from(cells);
-        if with_eight_points {
-            cells.push(question.ask(&Butterfly::UNMODIFIED, FanNet::Triangles, k, 2));
-        }
-        let cells: Vec<String> = cells
-            .into_iter()
-            .map(|cell| cell.unwrap_or_else(|_| "none".to_string()))
-            .collect();
-        table += &format!("| {k} | {} |\n", cells.join(" | "));
+        let cells = SCHEMES[..columns].iter().map(|&(scheme, net, rings)| {
+            cell(scheme, net, k, rings).unwrap_or_else(|_| "none".to_string())
+        });
+        table += &format!("| {k} | {} |\n", cells.collect::<Vec<_>>().join(" | "));
     }
     table
 }
 
-/// The absolute value of the eigenvalue with this place in the order of size.
-struct AbsoluteValue {
-    place: usize,
-}
-
-impl Question for AbsoluteValue {
-    fn ask<S>(
-        &self,
-        scheme: &S,
-        net: FanNet,
-        valence: usize,
-        rings: usize,
-    ) -> Result<String, SubdivisionMatrixError>
-    where
-        S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>,
-    {
-        let spectrum = Spectrum::of(&SubdivisionMatrix::extract(scheme, net, valence, rings)?);
-        let value = spectrum.eigenvalues()[self.place].value.norm();
+/// The absolute values of the eigenvalues with this place in the order of size, without those of the eight-point scheme.
+fn absolute_values(place: usize) -> String {
+    table(5, |scheme, net, valence, rings| {
+        let matrix = SubdivisionMatrix::extract(&scheme, net, valence, rings)?;
+        let value = Spectrum::of(&matrix).eigenvalues()[place].value;
         // Multiple eigenvalues with a Jordan block are found with half of the digits.
-        Ok(format!("{value:.3}"))
-    }
+        Ok(format!("{:.3}", value.magnitude()))
+    })
 }
 
 /// λ₁ = λ₂.
 fn subdominant_eigenvalues() -> String {
-    table(&AbsoluteValue { place: 1 }, false)
+    absolute_values(1)
 }
 
 /// |λ₃|.
 fn third_eigenvalues() -> String {
-    table(&AbsoluteValue { place: 3 }, false)
+    absolute_values(3)
 }
 
 /// Whether the characteristic map passes its test after one step, and why not.
-struct CharacteristicTest;
-
-impl Question for CharacteristicTest {
-    fn ask<S>(
-        &self,
-        scheme: &S,
-        net: FanNet,
-        valence: usize,
-        _rings: usize,
-    ) -> Result<String, SubdivisionMatrixError>
-    where
-        S: SurfaceScheme<f64> + SurfaceScheme<Point<f64, 2>>,
-    {
-        let test = CharacteristicMap::of(scheme, net, valence)?.test(scheme, 1)?;
+fn characteristic_tests() -> String {
+    table(6, |scheme, net, valence, _rings| {
+        let test = CharacteristicMap::of(&scheme, net, valence)?.test(&scheme, 1)?;
         Ok(if test.passed() {
             "passes".to_string()
         } else if !test.subdominant_pair {
@@ -113,9 +75,5 @@ impl Question for CharacteristicTest {
         } else {
             "turns over".to_string()
         })
-    }
-}
-
-fn characteristic_tests() -> String {
-    table(&CharacteristicTest, true)
+    })
 }

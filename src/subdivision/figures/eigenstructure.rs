@@ -12,9 +12,9 @@ pub(super) fn all() -> Vec<Figure> {
     vec![matrix(), characteristic_map()]
 }
 
-/// A scheme that is chosen when a figure is drawn, so that the code around it is there once and not for each of them.
+/// A scheme that is chosen when a figure or a table is made, so that the code around it is there once and not for each of them.
 #[derive(Debug, Clone, Copy)]
-enum Chosen {
+pub(in crate::subdivision) enum Chosen {
     Loop,
     Butterfly(Butterfly),
     CatmullClark,
@@ -48,6 +48,32 @@ where
     }
 }
 
+/// The schemes of the chapter, the unmodified Butterfly scheme last.
+///
+/// Each has its net around an extraordinary point, and the number of rings of its smallest matrix.
+pub(in crate::subdivision) const SCHEMES: [(Chosen, FanNet, usize); 6] = [
+    (Chosen::Loop, FanNet::Triangles, 1),
+    (Chosen::Butterfly(Butterfly::MODIFIED), FanNet::Triangles, 2),
+    (Chosen::CatmullClark, FanNet::Quadrilaterals, 1),
+    (Chosen::DooSabin, FanNet::AroundFace, 2),
+    (Chosen::Kobbelt, FanNet::Quadrilaterals, 2),
+    (
+        Chosen::Butterfly(Butterfly::UNMODIFIED),
+        FanNet::Triangles,
+        2,
+    ),
+];
+
+/// The names of the schemes in a legend.
+const NAMES: [&str; 6] = [
+    "Loop",
+    "modified Butterfly",
+    "Catmull–Clark",
+    "Doo–Sabin",
+    "Kobbelt",
+    "unmodified Butterfly",
+];
+
 /// λ and |λ₃| of a scheme at one valence.
 fn pair(
     scheme: Chosen,
@@ -64,13 +90,8 @@ fn pair(
 #[must_use]
 pub fn matrix() -> Figure {
     const PANELS: [&str; 2] = ["lambda", "third"];
-    const SCHEMES: [&str; 5] = [
-        "Loop",
-        "modified Butterfly",
-        "Catmull–Clark",
-        "Doo–Sabin",
-        "Kobbelt",
-    ];
+    // The unmodified Butterfly scheme has no double subdominant eigenvalue to show.
+    const SHOWN: usize = 5;
     Figure::new(
         "subdivision-matrix",
         "Eigenvalues of the subdivision matrices against the valence",
@@ -80,17 +101,10 @@ pub fn matrix() -> Figure {
     )
     .rows(&[&PANELS[..1], &PANELS[1..]])
     .draw(|_, canvas| {
-        let mut lines = vec![[vec![], vec![]]; SCHEMES.len()];
-        for k in 3..=12 {
-            let pairs = [
-                pair(Chosen::Loop, FanNet::Triangles, k, 1)?,
-                pair(Chosen::Butterfly(Butterfly::MODIFIED), FanNet::Triangles, k, 2)?,
-                pair(Chosen::CatmullClark, FanNet::Quadrilaterals, k, 1)?,
-                pair(Chosen::DooSabin, FanNet::AroundFace, k, 2)?,
-                pair(Chosen::Kobbelt, FanNet::Quadrilaterals, k, 2)?,
-            ];
-            for (line, pair) in lines.iter_mut().zip(pairs) {
-                for (line, value) in line.iter_mut().zip(pair) {
+        let mut lines = vec![[vec![], vec![]]; SHOWN];
+        for (lines, (scheme, net, rings)) in lines.iter_mut().zip(SCHEMES) {
+            for k in 3..=12 {
+                for (line, value) in lines.iter_mut().zip(pair(scheme, net, k, rings)?) {
                     line.push([k as f64, value]);
                 }
             }
@@ -99,7 +113,7 @@ pub fn matrix() -> Figure {
             canvas.panel(panel);
             canvas.axes(Axes::new("k", ["\\lambda", "|\\lambda_3|"][i]));
             canvas.window([2.5, 0.0], [12.5, 0.8]);
-            for (s, (line, name)) in lines.iter().zip(SCHEMES).enumerate() {
+            for (s, (line, name)) in lines.iter().zip(NAMES).enumerate() {
                 canvas.polyline(name, line[i].iter().copied(), Style::Series(s));
                 canvas.legend(name, Style::Series(s));
             }
@@ -156,22 +170,12 @@ fn ring(
     Ok(())
 }
 
-/// The schemes of the figure of characteristic maps.
-const NAMES: [&str; 6] = [
-    "Loop",
-    "modified Butterfly",
-    "Catmull–Clark",
-    "Doo–Sabin",
-    "Kobbelt",
-    "unmodified Butterfly",
-];
-
 /// The characteristic net of a scheme, refined, with orientation and winding number.
 #[must_use]
 pub fn characteristic_map() -> Figure {
     Figure::new(
         "subdivision-characteristic-map",
-        "The ring of a characteristic map",
+        "The ring of a characteristic map, which must run around once without a fold",
         "A ring of small faces in the plane with k-fold symmetry around its centre, and its inner border as a line. \
          The text above names the scheme and the valence and says how many faces are turned over, and how often the ring runs around the centre. \
          The schemes are, in this order: Loop, modified Butterfly, Catmull–Clark, Doo–Sabin, Kobbelt, and the unmodified Butterfly scheme.",
@@ -182,14 +186,7 @@ pub fn characteristic_map() -> Figure {
     .draw(|values, canvas| {
         let (k, steps) = (values.count("k")?, values.count("steps")?);
         let chosen = values.count("scheme")?;
-        let (scheme, net) = match chosen {
-            0 => (Chosen::Loop, FanNet::Triangles),
-            1 => (Chosen::Butterfly(Butterfly::MODIFIED), FanNet::Triangles),
-            2 => (Chosen::CatmullClark, FanNet::Quadrilaterals),
-            3 => (Chosen::DooSabin, FanNet::AroundFace),
-            4 => (Chosen::Kobbelt, FanNet::Quadrilaterals),
-            _ => (Chosen::Butterfly(Butterfly::UNMODIFIED), FanNet::Triangles),
-        };
+        let (scheme, net, _) = SCHEMES[chosen];
         ring(canvas, NAMES[chosen], scheme, net, k, steps)
     })
 }
