@@ -1,11 +1,10 @@
 //! Figures of the section on corner cutting.
 
-use crate::affine::Affine;
-use crate::affine::Point;
+use crate::affine::{Affine, Point};
 use crate::bezier::bounds::euclidean_norm;
 use crate::bspline::UniformSpline;
 use crate::figure::{Axes, BoxError, Canvas, Figure, Place, PointStyle, Style};
-use crate::subdivision::{ControlPolygon, ControlPolygonError, Mask, SchemeKind, laws};
+use crate::subdivision::{ControlPolygon, ControlPolygonError, SchemeKind, laws};
 
 pub(super) fn all() -> Vec<Figure> {
     vec![
@@ -17,7 +16,7 @@ pub(super) fn all() -> Vec<Figure> {
 }
 
 /// A polygon in the plane.
-type Polygon = ControlPolygon<Place>;
+pub(super) type Polygon = ControlPolygon<Place>;
 
 /// Draws a polygon, closed or open.
 pub(super) fn draw_polygon(canvas: &mut Canvas, name: &str, polygon: &Polygon, style: Style) {
@@ -55,13 +54,13 @@ pub(super) fn remark_on_one_place(canvas: &mut Canvas, points: &[Place]) {
     }
 }
 
-/// The polygon after `steps` steps of Chaikin's algorithm.
-fn chaikin(polygon: &Polygon, steps: usize) -> Result<Polygon, BoxError> {
-    let mut cut = polygon.clone();
-    for _ in 0..steps {
-        cut = cut.chaikin()?;
-    }
-    Ok(cut)
+/// The polygon after some steps.
+pub(super) fn refined(
+    polygon: &Polygon,
+    steps: usize,
+    step: impl Fn(&Polygon) -> Result<Polygon, ControlPolygonError>,
+) -> Result<Polygon, ControlPolygonError> {
+    (0..steps).try_fold(polygon.clone(), |polygon, _| step(&polygon))
 }
 
 /// One polygon refined by Chaikin's algorithm and by the four-point scheme.
@@ -85,12 +84,10 @@ pub fn approximating_interpolating() -> Figure {
     .draw(|values, canvas| {
         let given = ControlPolygon::closed(values.points("p")?)?;
         let steps = values.count("k")?;
-        let four_point = Mask::four_point(0.0625)?;
-        let mut interpolating = given.vertices().to_vec();
-        for _ in 0..steps {
-            interpolating = four_point.refine_closed(&interpolating)?;
-        }
-        let refined = [chaikin(&given, steps)?, ControlPolygon::closed(interpolating)?];
+        let refined = [
+            refined(&given, steps, ControlPolygon::chaikin)?,
+            refined(&given, steps, |polygon| polygon.four_point(0.0625))?,
+        ];
         for (panel, refined) in std::iter::zip(PANELS, refined) {
             canvas.panel(panel);
             canvas.caption(panel);
@@ -145,11 +142,11 @@ pub fn figure_chaikin() -> Figure {
                 draw_spline(canvas, "limit", &spline);
                 let steps = values.count("k")?;
                 canvas.caption(&format!("limit, and $k = {steps}$"));
-                let cut = chaikin(&given, steps)?;
+                let cut = refined(&given, steps, ControlPolygon::chaikin)?;
                 canvas.polyline("refined", cut.vertices(), Style::SecondPolygon);
             } else {
                 canvas.caption(&format!("$k = {steps}$"));
-                let cut = chaikin(&given, steps)?;
+                let cut = refined(&given, steps, ControlPolygon::chaikin)?;
                 canvas.polyline("refined", cut.vertices(), Style::SecondPolygon);
             }
             if steps == 1 {
@@ -211,7 +208,8 @@ pub fn chaikin_convergence() -> Figure {
         });
         canvas.polyline("formula", formula, Style::Guide);
         let measured = (0..=STEPS).map(|k| {
-            let distance = distance_of(&chaikin(&given, k)?, &spline);
+            let cut = refined(&given, k, ControlPolygon::chaikin)?;
+            let distance = distance_of(&cut, &spline);
             Ok(Point::new([k as f64, positive(distance)]))
         });
         let measured = measured.collect::<Result<Vec<_>, BoxError>>()?;

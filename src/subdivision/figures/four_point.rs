@@ -1,6 +1,6 @@
 //! Figures of the section on the four-point scheme.
 
-use super::corner_cutting::remark_on_one_place;
+use super::corner_cutting::{Polygon, refined, remark_on_one_place};
 use crate::affine::Point;
 use crate::figure::{Axes, BoxError, Canvas, Figure, Place, PointStyle, Style, decimal};
 use crate::scalar::{BigRational, OrderedScalar, Real, Scalar, exact};
@@ -17,19 +17,10 @@ pub(super) fn short_fraction(x: f64) -> BigRational {
 }
 
 /// The vertices of a polygon, the first once more at the end if it is closed.
-fn outline(polygon: &ControlPolygon<Place>) -> Vec<Place> {
+fn outline(polygon: &Polygon) -> Vec<Place> {
     let again = usize::from(polygon.is_closed());
     let points = polygon.vertices();
     points.iter().chain(&points[..again]).copied().collect()
-}
-
-/// The polygon after some steps.
-fn refined(
-    polygon: &ControlPolygon<Place>,
-    steps: usize,
-    step: impl Fn(&ControlPolygon<Place>) -> Result<ControlPolygon<Place>, BoxError>,
-) -> Result<ControlPolygon<Place>, BoxError> {
-    (0..steps).try_fold(polygon.clone(), |polygon, _| step(&polygon))
 }
 
 /// Six points, refined as a closed polygon and as an open one with two kinds of ends.
@@ -59,11 +50,10 @@ pub fn figure_four_point() -> Figure {
         let closed = ControlPolygon::closed(points.iter().copied())?;
         let open = ControlPolygon::open(points.iter().copied())?;
         let phantoms = open.with_mirrored_ends()?.with_mirrored_ends()?;
-        let plain = |polygon: &ControlPolygon<Place>| Ok(polygon.four_point(w)?);
-        let mirrored =
-            |polygon: &ControlPolygon<Place>| Ok(polygon.with_mirrored_ends()?.four_point(w)?);
+        let plain = |polygon: &Polygon| polygon.four_point(w);
+        let mirrored = |polygon: &Polygon| polygon.with_mirrored_ends()?.four_point(w);
         // With two phantom points a side the points that stay begin with a phantom point.
-        let inner = |polygon: ControlPolygon<Place>| -> Vec<Place> {
+        let inner = |polygon: Polygon| -> Vec<Place> {
             let points = polygon.vertices();
             points[2..points.len() - 2].to_vec()
         };
@@ -217,7 +207,7 @@ pub fn four_point_tension() -> Figure {
         canvas.caption(&format!("w = {}", decimal(w, 3)));
         let polygon = ControlPolygon::closed(values.points("p")?)?;
         canvas.polyline("polygon", outline(&polygon), Style::ControlPolygon);
-        let step = |w: f64| move |polygon: &ControlPolygon<Place>| Ok(polygon.four_point(w)?);
+        let step = |w: f64| move |polygon: &Polygon| polygon.four_point(w);
         let usual = refined(&polygon, 5, step(SIXTEENTH))?;
         canvas.legend("$w$ as chosen", Style::Curve);
         canvas.legend("$w = 1/16$", Style::SecondCurve);
@@ -301,7 +291,7 @@ pub fn figure_precision() -> Figure {
         let on_line = places.map(|s| start + (end - start) * s);
         let line = ControlPolygon::open(on_line)?;
         let refined_line = refined(&line, 5, |polygon| {
-            Ok(polygon.with_mirrored_ends()?.four_point(SIXTEENTH)?)
+            polygon.with_mirrored_ends()?.four_point(SIXTEENTH)
         })?;
         let corners = values.count("corners")?;
         let corner = |i: usize| {
@@ -309,8 +299,8 @@ pub fn figure_precision() -> Figure {
             Point::new([Real::cos(angle), Real::sin(angle)])
         };
         let circle = ControlPolygon::closed((0..corners).map(corner))?;
-        let refined_circle = refined(&circle, 5, |polygon| Ok(polygon.four_point(SIXTEENTH)?))?;
-        let draw = |canvas: &mut Canvas, polygon: &ControlPolygon<Place>, curve: &ControlPolygon<Place>| {
+        let refined_circle = refined(&circle, 5, |polygon| polygon.four_point(SIXTEENTH))?;
+        let draw = |canvas: &mut Canvas, polygon: &Polygon, curve: &Polygon| {
             canvas.points("points", polygon.vertices(), PointStyle::Control);
             canvas.polyline("refined", outline(curve), Style::Curve);
         };

@@ -1,6 +1,6 @@
 //! Figures of the section on uniform splines.
 
-use super::corner_cutting::{draw_polygon, draw_spline, remark_on_one_place, stepped};
+use super::corner_cutting::{draw_polygon, draw_spline, refined, remark_on_one_place, stepped};
 use crate::figure::{Figure, PointStyle, Style};
 use crate::subdivision::{ControlPolygon, laws};
 
@@ -35,10 +35,7 @@ pub fn cubic_curve() -> Figure {
         canvas.panel(PANELS[0]);
         let steps = values.count("k")?;
         canvas.caption(&format!("$k = {steps}$"));
-        let mut refined = given.clone();
-        for _ in 0..steps {
-            refined = refined.cubic_step()?;
-        }
+        let refined = refined(&given, steps, ControlPolygon::cubic_step)?;
         draw_polygon(canvas, "polygon", &given, Style::ControlPolygon);
         draw_polygon(canvas, "refined", &refined, Style::SecondPolygon);
         canvas.labels("p", given.vertices());
