@@ -144,23 +144,21 @@ pub fn loop_limit() -> Figure {
     })
 }
 
-/// A square of the regular lattice with one vertex raised, corners kept; its centre is the origin.
+/// The support of M₂₂₂ in a lattice of equilateral triangles with sides 1: a hexagon, its middle vertex raised, corners kept.
 fn spike() -> Result<(Mesh<Point<f64, 3>>, Creases), BoxError> {
-    const HALF: usize = 3;
-    let plane = solids::triangulated(&solids::grid::<f64>(2 * HALF, 2 * HALF))?;
-    let half = HALF as f64;
-    let mesh = plane.map(|point| {
-        let [x, y] = [point[0] - half, point[1] - half];
-        let height = if x == 0.0 && y == 0.0 { 1.0 } else { 0.0 };
-        Point::new([x, y, height])
-    })?;
-    let is_corner = |v: &VertexId| {
-        let point = mesh.point(*v);
-        point[0].abs() == half && point[1].abs() == half
+    let corner = |i: usize| {
+        let on_circle = spoke(i, 6);
+        Point::new([2.0 * on_circle[0], 2.0 * on_circle[1], 0.0])
     };
-    let corners: Vec<VertexId> = mesh.connectivity().vertices().filter(is_corner).collect();
-    let creases = Creases::new(mesh.connectivity(), [], corners)?;
-    Ok((mesh, creases))
+    let points = std::iter::once(Point::origin()).chain((0..6).map(corner));
+    let hexagon = Mesh::new(solids::triangle_fan(6), points.collect())?;
+    let corners = (1..=6).map(VertexId);
+    let creases = Creases::new(hexagon.connectivity(), [], corners)?;
+    // A step leaves a plane lattice as it is and halves its sides.
+    let (flat, creases) = Loop.refine_creased(&hexagon, &creases)?;
+    let (connectivity, mut points) = flat.into_parts();
+    points[0] = Point::new([0.0, 0.0, 1.0]);
+    Ok((Mesh::new(connectivity, points)?, creases))
 }
 
 /// The graph of M₂₂₂: one raised vertex of the regular lattice, refined, in the limit positions.
@@ -169,13 +167,16 @@ pub fn loop_box_spline() -> Figure {
     Figure::new(
         "subdivision-loop-box-spline",
         "The box spline: a regular mesh with one raised vertex",
-        "A flat square of triangles whose middle vertex was raised to height one. \
-         After some steps of Loop's scheme, with all vertices in their limit positions, it is a smooth hill with a hexagonal foot. \
+        "A flat hexagon of triangles whose middle vertex was raised to height one. \
+         After some steps of Loop's scheme, with all vertices in their limit positions, it is a smooth hill, \
+         and the hexagon is its foot: two triangles reach from the middle to the rim. \
          Its top has half the height of the raised vertex. The picture shows heights three times as large.",
     )
     .stepper("steps", 0..=3, 2)
-    .handle("view", View::degrees(20.0, 35.0).knob(KNOB))
+    .handle("view", View::degrees(20.0, 42.0).knob(KNOB))
     .draw(|values, canvas| {
+        // A hexagon with corners at the distance 2 fits from every side, from straight above by the room around the window.
+        canvas.window([-2.0, -1.75], [2.0, 1.75]);
         let view = View::of_knob(values.point("view")?, KNOB);
         let (mut mesh, mut creases) = spike()?;
         for _ in 0..values.count("steps")? {

@@ -90,19 +90,22 @@ fn loop_limit() {
 #[test]
 fn loop_box_spline() {
     figure_test(figures::loop_box_spline(), |plot| -> Result<(), BoxError> {
-        let view = View::degrees(20.0, 35.0);
+        let view = View::degrees(20.0, 42.0);
         let places = plot.surface("graph")?.places;
         // Heights are sums with less than a hundred roundings of numbers up to 3.
         let bound = cagd::law::gamma(100) * 2300.0;
-        let n = 16_i32;
+        let n = 8_i32;
         let mut found = 0;
         for i in -n..=n {
             for j in -n..=n {
-                let [x, y] = [i, j].map(|k| f64::from(k) / 4.0);
-                if x.abs().max(y.abs()) > 2.0 {
+                if (i - j).abs() > n {
                     continue;
                 }
-                let expected = view.place(&Point::new([x, y, 3.0 * box_spline_222(&[x, y])]));
+                let [x, y] = [i, j].map(|k| f64::from(k) / 4.0);
+                // The directions (1, 0), (1, 1) and (0, 1) of the lattice are 60° apart in the picture.
+                let at = [x - 0.5 * y, 0.75_f64.sqrt() * y];
+                let height = 3.0 * box_spline_222(&[x, y]);
+                let expected = view.place(&Point::new([at[0], at[1], height]));
                 let near = places
                     .iter()
                     .filter(|place| (**place - expected).amax() <= bound);
@@ -110,8 +113,12 @@ fn loop_box_spline() {
                 found += 1;
             }
         }
-        ensure(found == 17 * 17, || {
+        // The lattice points of a hexagon: its centre and rings of 6, 12, …, 6n.
+        ensure(found == 1 + 3 * n * (n + 1), || {
             format!("{found} places were looked at")
+        })?;
+        ensure(places.len() == found as usize, || {
+            format!("{} vertices", places.len())
         })?;
         near(
             "top",
