@@ -162,6 +162,7 @@ pub fn catmull_clark_limit() -> Figure {
             canvas.segment(&format!("way {}", v.0), places[v.index()], at, Style::Guide);
             canvas.arrow(&format!("normal {}", v.0), at, view.place(&(limit + normal * 0.6)), Style::Tangent);
             canvas.point(&format!("limit {}", v.0), at, PointStyle::Result);
+            canvas.label(&format!("v_{}", v.0), places[v.index()]);
             canvas.law("subdivision-catmull-clark-limit", &laws::catmull_clark_limit(
                 |mesh, v| CatmullClark.limit_position(mesh, v),
                 &cube,

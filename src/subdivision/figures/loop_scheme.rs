@@ -130,6 +130,7 @@ pub fn loop_limit() -> Figure {
             canvas.segment(&format!("way of {v}"), place(v), view.place(&limit), Style::Guide);
             canvas.arrow(&format!("normal at {v}"), view.place(&limit), view.place(&tip), Style::Tangent);
             canvas.point(&format!("limit of {v}"), view.place(&limit), PointStyle::Result);
+            canvas.label(&format!("v_{}", v.0), place(v));
         }
         canvas.law(
             "subdivision-loop-limit",

@@ -309,13 +309,13 @@ pub fn catmull_clark_limit<P: Affine>(
     let size = largest(mesh.points());
     sides
         .equal(
-            "k(k + 5)·v∞ = k²v + 4Σe + Σf",
+            format!("k(k + 5)·v∞ = k²v + 4Σe + Σf at {v}"),
             sum([(whole(k * (k + 5)), &now)]),
             sum(terms),
             Rounding::new(2 * k + 8, 2.0 * (k * (k + 5)) as f64 * size),
         )
         .equal(
-            "a step does not move the limit",
+            format!("a step does not move the limit of {v}"),
             later.coordinates().to_vec(),
             now.coordinates().to_vec(),
             Rounding::new(4 * k + 14, 2.0 * size),

@@ -317,7 +317,7 @@ pub fn loop_limit<T: CosineOfTurn>(
                 rounding,
             )
             .equal(
-                "of points in one place",
+                format!("the limit of {v} with all points in one place"),
                 flat([&one]),
                 flat([&mesh.points()[0]]),
                 rounding,
