@@ -29,12 +29,12 @@ pub fn figure_four_point() -> Figure {
     const PANELS: [&str; 3] = ["closed", "two phantom points", "ends mirrored anew"];
     Figure::new(
         "subdivision-figure-four-point",
-        "The four-point scheme for six given points",
+        "Six points, as a closed polygon and as an open one with either end rule",
         "Three panels with the same six points and the polygon after some steps of the four-point scheme, which looks smooth \
          and passes through all six points. In the first panel the polygon is closed. \
-         In the second it is open, with two phantom points beyond each end. \
+         In the second it is open, with two phantom points beyond each end, which are drawn and named. \
          In the third it is open, and before every step a phantom point is put beyond each end, the mirror image of the second point. \
-         The new points of the first step are marked.",
+         The new points of the first step are marked. Both open curves look the same.",
     )
     .rows(&[&PANELS[..1], &PANELS[1..]])
     .slider("w", 0.0..=0.25, SIXTEENTH)
@@ -42,7 +42,7 @@ pub fn figure_four_point() -> Figure {
     .handles_in(
         PANELS[0],
         "p",
-        [[0.0, 0.0], [0.6, 2.4], [2.4, 3.2], [4.0, 1.6], [5.6, 2.6], [5.2, 0.2]],
+        [[0.0, 0.6], [0.3, 1.6], [2.2, 3.2], [3.9, 1.4], [5.3, 1.8], [5.5, 0.8]],
     )
     .draw(|values, canvas| {
         let (w, steps) = (values.number("w")?, values.count("steps")?);
@@ -68,12 +68,16 @@ pub fn figure_four_point() -> Figure {
             canvas.polyline("polygon", outline(&polygon), Style::ControlPolygon);
             canvas.polyline("refined", last, Style::Curve);
             canvas.points("new points", first.into_iter().skip(1).step_by(2), PointStyle::Level(1));
-            canvas.labels("p", polygon.vertices());
         }
+        canvas.panel(PANELS[0]);
+        canvas.labels("p", &points);
         canvas.panel(PANELS[1]);
-        let beyond = phantoms.vertices();
-        let ends = [&beyond[..2], &beyond[beyond.len() - 2..]].concat();
-        canvas.points("phantom points", ends, PointStyle::Guide);
+        let named: Vec<(i64, Place)> = (-2..).zip(phantoms.vertices().iter().copied()).collect();
+        let ends = [&named[..2], &named[named.len() - 2..]].concat();
+        canvas.points("phantom points", ends.iter().map(|(_, at)| at), PointStyle::Guide);
+        for (i, at) in ends {
+            canvas.label(&format!("p_{{{i}}}"), at);
+        }
         canvas.panel(PANELS[0]);
         canvas.law(
             "subdivision-four-point-scheme",
@@ -221,7 +225,7 @@ pub fn four_point_tension() -> Figure {
                 &laws::four_point_tension(|w| Mask::four_point(w).ok(), &exactly),
             );
             if w > limit {
-                canvas.remark("w is beyond the vertical line: no number of steps has a norm below 1, and the limit is not C¹.");
+                canvas.remark("w is beyond the second vertical line: no number of steps has a norm below 1, and the limit is not C¹.");
             }
         } else {
             canvas.remark("w = 0: each new point is the middle of its leg. The norms are 1, and the limit is the polygon with its corners.");
