@@ -74,7 +74,7 @@ pub fn figure_catmull_clark() -> Figure {
     const PANELS: [&str; 3] = ["face point", "edge point", "vertex point"];
     Figure::new(
         "subdivision-figure-catmull-clark",
-        "Catmull–Clark subdivision",
+        "The three stencils of a regular mesh, and a cube that becomes round",
         "Three stencils on a regular grid of quadrilaterals, with their weights. \
          The face point has the weight 1/4 at the four vertices of its face. \
          The edge point has 3/8 at the two ends of the edge and 1/16 at the other four vertices of the faces beside it. \
@@ -178,7 +178,7 @@ pub fn catmull_clark_limit() -> Figure {
 pub fn creases() -> Figure {
     Figure::new(
         "subdivision-creases",
-        "Sharp edges",
+        "Sharp edges stay sharp, the rest becomes round",
         "A cube after three steps of Catmull–Clark subdivision. \
          The four edges around its top are sharp, the others are not: \
          the top is bounded by a sharp rim, a closed smooth curve, and the rest is round. \

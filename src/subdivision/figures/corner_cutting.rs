@@ -119,7 +119,7 @@ pub fn figure_chaikin() -> Figure {
     const PANELS: [&str; 4] = ["k = 1", "k = 2", "k = 3", "limit"];
     Figure::new(
         "subdivision-figure-chaikin",
-        "Chaikin's algorithm",
+        "Each step cuts the corners, and the middles of the legs stay",
         "Four panels with the same open polygon of five vertices. \
          The first three show the polygon after one, two and three steps: in each step every corner is replaced by a shorter edge. \
          The last panel shows the limit curve, which runs from the middle of the first leg to the middle of the last, \
@@ -254,7 +254,7 @@ pub fn figure_lane_riesenfeld() -> Figure {
     const PANELS: [&str; 4] = ["round 1", "round 2", "round 3", "limit"];
     Figure::new(
         "subdivision-figure-lane-riesenfeld",
-        "One step of the algorithm of Lane and Riesenfeld",
+        "The rounds of averaging in one step, and the spline in the limit",
         "Four panels with the same five points. All points are doubled; \
          the first three panels show the polygon after the first, second and third round of averaging: \
          round markers on vertices and middles of legs, then on the quarters of the legs, then one point in the middle of each leg and one beside each inner vertex. \

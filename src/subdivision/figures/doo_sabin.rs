@@ -15,7 +15,7 @@ pub(super) fn all() -> Vec<Figure> {
 pub fn figure_doo_sabin() -> Figure {
     Figure::new(
         "subdivision-figure-doo-sabin",
-        "Doo–Sabin subdivision",
+        "Faces shrink, and every edge and every vertex becomes a face",
         "On the left a plane mesh of nine quadrilaterals and, inside, the mesh after one step. \
          Its faces are of three kinds, each in a colour of its own: a smaller copy inside each old face, \
          a quadrilateral across each inner edge, and a face around each inner vertex. \

@@ -279,7 +279,7 @@ pub fn figure_precision() -> Figure {
     const PANELS: [&str; 3] = ["line", "circle", "deviation"];
     Figure::new(
         "subdivision-figure-precision",
-        "Linear but not circular precision",
+        "Points on a line stay on the line, points on a circle leave the circle",
         "Three panels. In the first, points on a line and their refinement by the four-point scheme, which stays on the line. \
          In the second, the corners of a regular polygon on a circle and their refinement, a closed curve that runs inside of the circle \
          between the corners. In the third, the deviation along the curves: that from the line is 0 everywhere, that from the circle is 0 \
