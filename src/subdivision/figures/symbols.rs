@@ -34,7 +34,8 @@ pub fn difference_scheme() -> Figure {
         "How far the polygons move",
         "Against the number of steps, on a logarithmic scale: the largest distance between the polygon before and after a step, \
          for Chaikin's scheme, the cubic scheme and the four-point scheme, which refine the number 1 among zeros. \
-         Above each row of points a line shows the bound from the norms of the difference scheme. \
+         Above each row of points a line shows the bound from the norms of the difference scheme; \
+         the bounds of Chaikin's scheme and of the cubic one are equal, so that one line is for both. \
          All fall by a constant factor a step, so that the polygons converge.",
     )
     .slider("w", 0.01..=0.2, 0.0625)
@@ -48,7 +49,11 @@ pub fn difference_scheme() -> Figure {
             ("four-point", Mask::four_point(w)?),
         ];
         let midpoints = centred(&Mask::lane_riesenfeld(1))?;
-        for (series, (name, mask)) in schemes.iter().enumerate() {
+        // A hyphen in a label would become a minus sign.
+        let shown = |name: &str| name.replace('-', " ");
+        // Schemes with the same bound share a line.
+        let mut bounds: Vec<(String, Vec<[f64; 2]>)> = vec![];
+        for (level, (name, mask)) in (1..).zip(&schemes) {
             let mask = centred(mask)?;
             let differences = mask.difference_scheme().ok_or("a factor 1 + z")?;
             let displacement = mask.displacement().ok_or("rules of sum 1")?.norm(2).to_f64();
@@ -58,18 +63,22 @@ pub fn difference_scheme() -> Figure {
             for k in 0..=STEPS {
                 let refined = mask.refine_closed(&data)?;
                 let polygon = midpoints.refine_closed(&data)?;
-                let distances = refined.iter().zip(&polygon).map(|(a, b)| OrderedScalar::abs(&(a - b)));
-                moved.push([k as f64, distances.fold(0.0, f64::max)]);
+                let moves = refined.iter().zip(&polygon).map(|(a, b)| OrderedScalar::abs(&(a - b)));
+                moved.push([k as f64, moves.fold(0.0, f64::max)]);
                 // The largest difference of the data is 1.
                 bound.push([k as f64, displacement * differences.norm(k).to_f64()]);
                 data = refined;
             }
-            canvas.points(name, moved, PointStyle::Level(series + 1));
-            canvas.polyline(&format!("bound: {name}"), bound, Style::Series(series));
-            // A hyphen in a label would become a minus sign.
-            let shown = name.replace('-', " ");
-            canvas.legend_point(&shown, PointStyle::Level(series + 1));
-            canvas.legend(&format!("bound: {shown}"), Style::Series(series));
+            canvas.points(name, moved, PointStyle::Level(level));
+            canvas.legend_point(&shown(name), PointStyle::Level(level));
+            match bounds.iter_mut().find(|(_, known)| *known == bound) {
+                Some((names, _)) => *names = format!("{names} and {name}"),
+                None => bounds.push((format!("bound: {name}"), bound)),
+            }
+        }
+        for (series, (names, bound)) in bounds.into_iter().enumerate() {
+            canvas.polyline(&names, bound, Style::Series(series));
+            canvas.legend(&shown(&names), Style::Series(series));
         }
         let [.., (_, four_point)] = &schemes;
         canvas.law(

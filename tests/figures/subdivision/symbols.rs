@@ -4,13 +4,20 @@ use cagd::subdivision::figures;
 
 use crate::support::{ensure, figure_test};
 
+/// Two schemes have the same bound, which is drawn once.
+const BOTH: &str = "bound: Chaikin and cubic";
+
 /// No polygon moves farther than the bound says, and the bounds of Chaikin halve in every step.
 #[test]
 fn difference_scheme() {
     figure_test(figures::difference_scheme(), |plot| {
-        for name in ["Chaikin", "cubic", "four-point"] {
+        for (name, bound) in [
+            ("Chaikin", BOTH),
+            ("cubic", BOTH),
+            ("four-point", "bound: four-point"),
+        ] {
             let moved = plot.points(name)?;
-            let bound = plot.polyline(&format!("bound: {name}"))?;
+            let bound = plot.polyline(bound)?;
             ensure(moved.len() == 8 && bound.len() == 8, || {
                 format!("{name}: eight steps")
             })?;
@@ -24,7 +31,7 @@ fn difference_scheme() {
                 })?;
             }
         }
-        let chaikin = plot.polyline("bound: Chaikin")?;
+        let chaikin = plot.polyline(BOTH)?;
         ensure(chaikin[0][1] == 0.25, || {
             format!("the first bound is {}", chaikin[0])
         })?;
@@ -38,8 +45,6 @@ fn difference_scheme() {
     .rejects("a polygon that moves too far", |plot| {
         plot.shifted("cubic", [0.0, 0.2])
     })
-    .rejects("another bound", |plot| {
-        plot.shifted("bound: Chaikin", [0.0, 0.1])
-    })
+    .rejects("another bound", |plot| plot.shifted(BOTH, [0.0, 0.1]))
     .snapshot();
 }
