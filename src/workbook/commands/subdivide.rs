@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::affine::Point;
 use crate::subdivision::files::{MeshFile, MeshFileError, Place};
 use crate::subdivision::{
-    Butterfly, CatmullClark, Creases, DooSabin, FaceId, Kobbelt, Loop, Mesh, MeshError, Refinement,
+    Butterfly, CatmullClark, DooSabin, FaceId, Kobbelt, Loop, Mesh, MeshError, Refinement,
     SchemeError, SurfaceScheme,
 };
 use crate::workbook::command_line::Outcome;
@@ -98,10 +98,10 @@ impl Scheme {
                 vertices.map(|v| Loop.limit_point(mesh, v)).collect()
             }),
             Self::CatmullClark => Some(|mesh| {
-                // One list for all vertices: a list for each would cost as much as the whole mesh.
-                let smooth = Creases::none(mesh.connectivity());
-                let limit = |v| CatmullClark.limit_position_creased(mesh, &smooth, v);
-                mesh.connectivity().vertices().map(limit).collect()
+                let vertices = mesh.connectivity().vertices();
+                vertices
+                    .map(|v| CatmullClark.limit_position(mesh, v))
+                    .collect()
             }),
             Self::Butterfly | Self::Kobbelt | Self::DooSabin => None,
         }
