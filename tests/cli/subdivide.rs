@@ -1,11 +1,15 @@
 //! `subdivide` on meshes that a reader brings.
 
+use std::ffi::OsString;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 use std::process::Command;
 
+use cagd::affine::Point;
+use cagd::subdivision::{Butterfly, CatmullClark, DooSabin, Kobbelt, Loop, SurfaceScheme};
+use cagd::workbook::mesh_files::{MeshFormat, Space};
 use tempfile::TempDir;
 
 use super::house::Run;
@@ -15,8 +19,9 @@ const OCTAHEDRON: &str = "# an octahedron\n\
     f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
 const CUBE: &str = "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
     4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+const SQUARE: &str = "OFF\n4 1 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// A folder with an octahedron and a cube; no workbook is there, and none is needed.
+/// A folder with an octahedron, a cube and a square; no workbook is there, and none is needed.
 struct Folder(TempDir);
 
 impl Folder {
@@ -24,6 +29,7 @@ impl Folder {
         let folder = Self(tempfile::tempdir().expect("a temporary folder"));
         folder.write("octahedron.obj", OCTAHEDRON);
         folder.write("cube.off", CUBE);
+        folder.write("square.off", SQUARE);
         folder
     }
 
@@ -42,31 +48,46 @@ impl Folder {
         String::from_utf8_lossy(&bytes).into_owned()
     }
 
+    /// The mesh in a file.
+    #[track_caller]
+    fn mesh(&self, file: &str) -> Space {
+        let path = self.path(file);
+        let format = MeshFormat::of(&path).expect("an ending that is known");
+        let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let read = format.read(&bytes);
+        let read = read.unwrap_or_else(|error| panic!("{file}, {error}"));
+        read.mesh().clone()
+    }
+
+    /// The names of all files, sorted.
+    fn files(&self) -> Vec<OsString> {
+        let entries = fs::read_dir(self.0.path()).expect("a folder");
+        let mut names: Vec<_> = entries.map(|e| e.expect("an entry").file_name()).collect();
+        names.sort();
+        names
+    }
+
     fn run(&self, arguments: &str) -> Run {
         let mut command = Command::new(env!("CARGO_BIN_EXE_workbook"));
         command
             .arg("subdivide")
             .args(arguments.split(' '))
-            .current_dir(self.0.path());
+            .current_dir(self.0.path())
+            // It would lead to the workbook.
+            .env_remove("CARGO_MANIFEST_DIR");
         Run::of(command)
     }
 
     /// The command fails with these words and leaves no file behind.
     #[track_caller]
     fn refuses(&self, arguments: &str, words: &[&str]) {
-        let files = || {
-            let entries = fs::read_dir(self.0.path()).expect("a folder");
-            let mut names: Vec<_> = entries.map(|e| e.expect("an entry").file_name()).collect();
-            names.sort();
-            names
-        };
-        let before = files();
+        let before = self.files();
         let run = self.run(arguments);
         run.assert_status(2);
         for word in words {
             run.assert_says(word);
         }
-        assert_eq!(files(), before, "{run:#?}");
+        assert_eq!(self.files(), before, "{run:#?}");
     }
 }
 
@@ -83,67 +104,102 @@ fn a_mesh_is_refined() {
     run.assert_says("`fine.obj` has 66 vertices, 192 edges and 128 faces.");
     assert!(!run.stderr.contains("warning"), "{run:#?}");
     assert_eq!(counts(&folder.read("fine.obj")), [66, 128]);
+    let files = ["cube.off", "fine.obj", "octahedron.obj", "square.off"];
+    assert_eq!(folder.files(), files);
 }
 
 #[test]
-fn every_scheme_and_every_format_is_there() {
+fn every_scheme_refines_by_its_own_rules() {
     let folder = Folder::new();
-    for (arguments, says) in [
-        (
-            "octahedron.obj --scheme butterfly -o butterfly.off",
-            "18 vertices, 48 edges and 32 faces",
-        ),
-        (
-            "cube.off --scheme catmull-clark -o smooth.ply",
-            "26 vertices, 48 edges and 24 faces",
-        ),
-        (
-            "cube.off --scheme doo-sabin -o cut.obj",
-            "24 vertices, 48 edges and 26 faces",
-        ),
-        (
-            "smooth.ply --scheme kobbelt -o kobbelt.OBJ",
-            "98 vertices, 192 edges and 96 faces",
-        ),
-        (
-            "kobbelt.OBJ --scheme kobbelt --steps 0 --format ply-binary -o kobbelt.ply",
-            "98 vertices",
-        ),
-        (
-            "kobbelt.ply --scheme kobbelt --steps 0 -o again.obj",
-            "98 vertices",
-        ),
-    ] {
-        let run = folder.run(arguments);
+    let schemes: [(&str, &str, &dyn SurfaceScheme<Point<f64, 3>>); 5] = [
+        ("octahedron.obj", "loop", &Loop),
+        ("loop.ply", "butterfly", &Butterfly::MODIFIED),
+        ("cube.off", "catmull-clark", &CatmullClark),
+        ("cube.off", "doo-sabin", &DooSabin),
+        ("catmull-clark.ply", "kobbelt", &Kobbelt),
+    ];
+    for (input, scheme, rules) in schemes {
+        let out = format!("{scheme}.ply");
+        let run = folder.run(&format!("{input} --scheme {scheme} -o {out}"));
         run.assert_status(0);
-        run.assert_says(says);
+        let expected = rules.refine(&folder.mesh(input)).expect("a rule");
+        let found = folder.mesh(&out);
+        assert_eq!(found.points(), expected.points(), "{scheme}");
+        let faces = |mesh: &Space| mesh.connectivity().face_lists();
+        assert_eq!(faces(&found), faces(&expected), "{scheme}");
+        // The number of faces is known before the work begins.
+        let most = expected.connectivity().face_count() - 1;
+        folder.refuses(
+            &format!("{input} --scheme {scheme} --max-faces {most} -o no.ply"),
+            &[&format!("would give {} faces", most + 1)],
+        );
     }
-    assert!(folder.read("kobbelt.ply").contains("binary_little_endian"));
-    assert_eq!(folder.read("again.obj"), folder.read("kobbelt.OBJ"));
+    // At a boundary the scheme of Doo and Sabin gives fewer.
+    folder.refuses(
+        "square.off --scheme doo-sabin --max-faces 1 -o no.ply",
+        &["would give up to 9 faces", "`--steps 0` gives 1"],
+    );
+}
+
+#[test]
+fn every_format_is_read_and_written() {
+    let folder = Folder::new();
+    let mut input = "octahedron.obj";
+    for (options, out, begin) in [
+        ("", "a.off", "OFF\n"),
+        ("", "b.ply", "ply\nformat ascii"),
+        (
+            " --format ply-binary",
+            "c.ply",
+            "ply\nformat binary_little_endian",
+        ),
+        ("", "D.OBJ", "v "),
+        // The format that is asked for, whatever the ending says.
+        (" --format off", "e.obj", "OFF\n"),
+    ] {
+        let run = folder.run(&format!(
+            "{input} --scheme loop --steps 0{options} -o {out}"
+        ));
+        run.assert_status(0);
+        let text = folder.read(out);
+        assert!(text.starts_with(begin), "{out}: {text}");
+        input = out;
+    }
+    assert_eq!(folder.mesh("D.OBJ"), folder.mesh("octahedron.obj"));
+    assert_eq!(folder.read("e.obj"), folder.read("a.off"));
 }
 
 #[test]
 fn vertices_move_to_the_limit() {
     let folder = Folder::new();
-    let run = folder.run("octahedron.obj --scheme loop --steps 0 --limit -o limit.obj");
-    run.assert_status(0);
-    let text = folder.read("limit.obj");
-    let x: f64 = text
-        .split_whitespace()
-        .nth(1)
-        .and_then(|word| word.parse().ok())
-        .expect("the first coordinate");
-    // 24/55 is the weight of the vertex against its four neighbours, which cancel.
-    assert!((x - 24.0 / 55.0).abs() < 1e-15, "{x}");
-    folder
-        .run("cube.off --scheme catmull-clark --limit -o limit.off")
-        .assert_status(0);
-    // A corner of a cube goes half the way to the centre; these numbers are without rounding.
-    let corner = folder.read("limit.off");
-    assert_eq!(corner.lines().nth(2), Some("0.25 0.25 0.25"), "{corner}");
+    for (input, scheme, place) in [
+        // The weight of the vertex against its four neighbours, which cancel.
+        ("octahedron.obj", "loop", 24.0 / 55.0),
+        // At valence 3 the weights are 9 : 4 : 1; two of the opposite vertices have x = 1, and one of the neighbours.
+        ("cube.off", "catmull-clark", (4.0 + 2.0) / 24.0),
+    ] {
+        // A step does not move the limit.
+        for steps in [0, 2] {
+            let run = folder.run(&format!(
+                "{input} --scheme {scheme} --steps {steps} --limit --force -o limit.off"
+            ));
+            run.assert_status(0);
+            let x = folder.mesh("limit.off").points()[0][0];
+            assert!((x - place).abs() < 1e-15, "{scheme}, {steps} steps: {x}");
+        }
+    }
     folder.refuses(
         "octahedron.obj --scheme butterfly --limit -o out.obj",
-        &["--limit", "next step"],
+        &["`--limit` is for", "next step"],
+    );
+    // The rule for limits needs quadrilaterals; a step makes them.
+    folder.refuses(
+        "octahedron.obj --scheme catmull-clark --steps 0 --limit -o out.obj",
+        &[
+            "`octahedron.obj`, line ",
+            "faces with 4 vertices",
+            "next step",
+        ],
     );
 }
 
@@ -152,12 +208,15 @@ fn standard_output_takes_the_mesh() {
     let folder = Folder::new();
     let run = folder.run("octahedron.obj --scheme loop -o - --format obj");
     run.assert_status(0);
-    assert_eq!(counts(&run.stdout), [18, 32]);
     assert!(
         run.stderr.contains("18 vertices, 48 edges and 32 faces"),
         "{run:?}"
     );
-    folder.refuses("octahedron.obj --scheme loop -o -", &["--format"]);
+    folder
+        .run("octahedron.obj --scheme loop -o out.obj")
+        .assert_status(0);
+    assert_eq!(run.stdout, folder.read("out.obj"));
+    folder.refuses("octahedron.obj --scheme loop -o -", &["`-`", "--format"]);
 }
 
 #[test]
@@ -236,13 +295,27 @@ fn a_scheme_without_a_rule_names_the_line() {
         "cube.off --scheme kobbelt -o out.obj",
         &["`cube.off`, line ", "extraordinary"],
     );
-    folder.write(
-        "open.off",
-        "OFF\n4 1 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n",
-    );
     folder.refuses(
-        "open.off --scheme kobbelt -o out.obj",
-        &["`open.off`, line 3: ", "boundary"],
+        "square.off --scheme kobbelt -o out.obj",
+        &["`square.off`, line 3: ", "boundary"],
+    );
+}
+
+#[test]
+fn a_later_step_that_fails_is_named() {
+    let folder = Folder::new();
+    // The points of the first step reach 5/4 of the largest coordinate, those of the second one 83/64: more than f64 holds.
+    let far = [1.4e308, 1.4e308, 1.4e308, -1.4e308, 1.4e308, -1.4e308];
+    let vertices = far.iter().enumerate();
+    let mut mesh: String = vertices.map(|(y, x)| format!("v {x:e} {y} 0\n")).collect();
+    mesh.push_str(&OCTAHEDRON[OCTAHEDRON.find("f ").expect("a face")..]);
+    folder.write("far.obj", &mesh);
+    folder
+        .run("far.obj --scheme butterfly -o one.obj")
+        .assert_status(0);
+    folder.refuses(
+        "far.obj --scheme butterfly --steps 2 -o two.obj",
+        &["step 2 cannot be done: ", "not finite", "next step"],
     );
 }
 
@@ -250,16 +323,16 @@ fn a_scheme_without_a_rule_names_the_line() {
 fn too_many_steps_are_counted_first() {
     let folder = Folder::new();
     folder.refuses(
+        "octahedron.obj --scheme loop --steps 3 --max-faces 100 -o out.obj",
+        &["would give 512 faces", "`--steps 1` gives 32"],
+    );
+    folder.refuses(
         "octahedron.obj --scheme loop --steps 11 -o out.obj",
         &[
             "11 steps would give 33554432 faces",
             "at most 16000000",
             "next step: `--steps 10` gives 8388608; or allow more with `--max-faces`",
         ],
-    );
-    folder.refuses(
-        "octahedron.obj --scheme loop --steps 3 --max-faces 100 -o out.obj",
-        &["would give 512 faces", "`--steps 1` gives 32"],
     );
     folder.refuses(
         "octahedron.obj --scheme loop --steps 40 --max-faces 18446744073709551615 -o out.obj",
@@ -288,6 +361,15 @@ fn no_file_is_lost() {
         &["`out.obj` is there already", "--force"],
     );
     assert_eq!(folder.read("out.obj"), "precious");
+    // It is told before anything is read.
+    folder.refuses(
+        "nothing.obj --scheme loop -o out.obj",
+        &["`out.obj` is there already"],
+    );
+    folder.refuses(
+        "nothing.obj --scheme loop -o no/such/out.obj",
+        &["`no/such/out.obj` cannot be written"],
+    );
     folder
         .run("octahedron.obj --scheme loop --force -o out.obj")
         .assert_status(0);
