@@ -61,6 +61,10 @@ fn dragged(figure: &Figure, seed: &mut u64) -> String {
     parts.join("&")
 }
 
+fn figure(id: &str) -> Figure {
+    gallery::find(id).unwrap_or_else(|| panic!("no figure {id}"))
+}
+
 fn plotted(figure: &Figure, text: &str) -> Plot {
     let values = figure
         .values(text)
@@ -108,7 +112,6 @@ fn written(plot: &Plot) -> Vec<String> {
 
 #[test]
 fn the_sides_are_those_of_the_default_picture() {
-    let figure = |id: &str| gallery::find(id).unwrap_or_else(|| panic!("no figure {id}"));
     let lines = |id: &str| written(&plotted(&figure(id), ""));
     assert_eq!(
         lines("bezier-bernstein-polynomials")[1],
@@ -128,217 +131,124 @@ fn the_sides_are_those_of_the_default_picture() {
     );
 }
 
-/// For each figure with a hypothesis: a position without it, and a word of the sentence that says what it was for.
-const SPECIAL: &[(&str, &str, &str)] = &[
-    ("bezier-bernstein-polynomials", "t=0", "0 < t < 1"),
-    ("bezier-unimodal", "m=1", "at an end"),
-    ("bezier-blossom-de-casteljau", "t=1", "length 0"),
-    (
-        "bezier-chord-bound",
-        "b=0,0;1,1;2,2;3,3",
-        "second differences are 0",
-    ),
-    (
-        "bezier-chord-bound",
-        "b=0,0;1,1;2,2;0,0",
-        "ends where it starts",
-    ),
-    (
-        "bezier-control-polygon-bound",
-        "b=0,0;0,1;0,2;0,3;0,4",
-        "second differences are 0",
-    ),
-    (
-        "bezier-uniform-convergence",
-        "b=1,1;1,1;1,1;1,1;1,1",
-        "second differences are 0",
-    ),
-    (
-        "bezier-intersection-algorithm",
-        "q=0,1;3,8;6,-3;9,4.5",
-        "finitely many",
-    ),
-    (
-        "bezier-intersection-algorithm",
-        "q=0,11;3,18;6,13;9,14",
-        "do not meet",
-    ),
-    ("bezier-motivation", "b=1,1;1,1;1,1;1,1", "in one place"),
-    ("bezier-figure-de-casteljau", "t=0", "first control point"),
-    ("bezier-parameter-range", "t=-0.2", "negative"),
-    ("bezier-parameter-range", "t=1", "last control point"),
-    ("bezier-de-casteljau-triangle", "t=1", "last control point"),
-    (
-        "bezier-derivative-consequences",
-        "t=0&b=0,0;0,0;1,1;2,0",
-        "b′(t) ≠ 0",
-    ),
-    (
-        "bezier-de-casteljau-worked-example",
-        "b=1,1;1,1;1,1;1,1",
-        "b′(t) ≠ 0",
-    ),
-    ("bezier-end-curvature", "b=0,0;0,0;1,1;2,0", "b₀ ≠ b₁"),
-    ("bezier-end-curvature", "b=0,0;1,0;2,0;2,2", "no circle"),
-    ("bezier-quadratic-parabola", "b=0,0;3,0;1,0", "to and fro"),
-    (
-        "bezier-quadratic-parabola",
-        "b=0,0;1,0;2,0",
-        "segment remains",
-    ),
-    ("bezier-quadratic-parabola", "b=1,1;1,1;1,1", "in one place"),
-    (
-        "bezier-degree-elevation",
-        "b=1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    ("bezier-bernstein-approximation", "m=1", "chord"),
-    ("bezier-disadvantages", "c=7,4", "the same"),
-    ("bezier-de-casteljau-path-counting", "n=2&k=3", "at most n"),
-    (
-        "bezier-de-casteljau-path-counting",
-        "n=3&k=0",
-        "single path",
-    ),
-    ("bezier-polynomial-curve-smooth", "t=0.5", "turn sharply"),
-    ("bezier-centre-of-gravity", "t=1", "whole mass"),
-    (
-        "bezier-figure-convex-hull",
-        "b=0,0;1,1;2,2;3,3;1,1",
-        "segment",
-    ),
-    (
-        "bezier-figure-convex-hull",
-        "b=1,1;1,1;1,1;1,1;1,1",
-        "this point",
-    ),
-    (
-        "bezier-figure-affine-invariance",
-        "m_11=0&m_12=0",
-        "determinant is 0",
-    ),
-    ("bezier-line-intersections", "p=1,1&q=1,1", "no line"),
-    (
-        "bezier-line-intersections",
-        "b=0,0;1,0;2,0;3,0&p=0,0&q=1,0",
-        "not in the line",
-    ),
-    ("bezier-variation-diminishing", "p=1,1&q=1,1", "no line"),
-    ("bezier-figure-subdivision", "alpha=0", "0 < α < 1"),
-    (
-        "bezier-figure-corner-cutting",
-        "b=1,1;1,1;1,1;1,1",
-        "length 0",
-    ),
-    (
-        "bezier-corner-cutting-convergence",
-        "b=1,1;1,1;1,1;1,1",
-        "length 0",
-    ),
-    (
-        "affine-figure-triangle-area",
-        "R=0,0&P=1,1&Q=2,2",
-        "determinant is 0",
-    ),
-    ("affine-figure-pick", "P=0,0;1,1;2,2", "an inside"),
-    ("affine-barycentric-on-line", "p=1,1;1,1", "A ≠ B"),
-    (
-        "affine-barycentric-in-triangle",
-        "A=0,0&B=1,1&C=2,2",
-        "not on a line",
-    ),
-    ("affine-barycentric-in-triangle", "G=9,9", "negative"),
-    ("affine-exercise-points-on-line", "A=1,1&B=1,1", "A ≠ B"),
-    (
-        "affine-figure-combinations",
-        "a=1,1&b=2,2",
-        "linearly dependent",
-    ),
-    ("affine-barycentre", "w_0=0&w_1=0&w_2=0", "another sum"),
-    ("affine-barycentre", "w_0=0", "no part"),
-    ("affine-map-examples", "w=1,0", "no projection"),
-    ("affine-central-projection-not-affine", "A=1,0", "no image"),
-    (
-        "affine-central-projection-not-affine",
-        "A=0,2&B=2,2",
-        "parallel",
-    ),
-    (
-        "affine-exercise-image-of-points",
-        "A=0,0&B=1,1&C=2,2",
-        "not determined",
-    ),
-    (
-        "affine-map-properties",
-        "O'=0,0&E_1'=1,1&E_2'=2,2",
-        "areas become 0",
-    ),
-    ("affine-map-properties", "P=1,1&Q=1,1", "no ratio"),
-    ("affine-figure-shear", "a=0", "identity"),
-    ("subdivision-figure-half-edge", "h=15", "no face"),
-    (
-        "subdivision-approximating-interpolating",
-        "p=1,1;1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    (
-        "subdivision-figure-chaikin",
-        "p=1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    (
-        "subdivision-chaikin-convergence",
-        "p=1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    (
-        "subdivision-figure-lane-riesenfeld",
-        "p=1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    (
-        "subdivision-cubic-curve",
-        "p=1,1;1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    (
-        "subdivision-limit-stencils",
-        "p=1,1;1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    ("subdivision-figure-four-point", "w=0", "middle of its leg"),
-    (
-        "subdivision-figure-four-point",
-        "p=1,1;1,1;1,1;1,1;1,1;1,1",
-        "in one place",
-    ),
-    ("subdivision-four-point-tension", "w=0", "middle of its leg"),
-    ("subdivision-four-point-tension", "w=0.2", "not C¹"),
-    ("subdivision-four-point-analysis", "w=0.1", "two factors"),
-    ("subdivision-figure-precision", "a=1,1;1,1", "no line"),
-    ("subdivision-creases", "top=0", "No edge is sharp"),
-    (
-        "subdivision-creases",
-        "bottom=1&sides=1&top=1",
-        "the cube remains",
-    ),
-    (
-        "subdivision-characteristic-map",
-        "scheme=5&k=9",
-        "covers itself",
-    ),
-];
+/// Positions in which the hypothesis of a figure does not hold, each with words of the sentence that the figure says then.
+const SPECIAL: &str = "
+bezier-bernstein-polynomials            | t=0                           | 0 < t < 1
+bezier-unimodal                         | m=1                           | at an end
+bezier-blossom-de-casteljau             | t=1                           | length 0
+bezier-chord-bound                      | b=0,0;1,1;2,2;3,3             | second differences are 0
+bezier-chord-bound                      | b=0,0;1,1;2,2;0,0             | ends where it starts
+bezier-control-polygon-bound            | b=0,0;0,1;0,2;0,3;0,4         | second differences are 0
+bezier-intersection-algorithm           | q=0,1;3,8;6,-3;9,4.5          | finitely many
+bezier-intersection-algorithm           | q=0,11;3,18;6,13;9,14         | do not meet
+bezier-figure-de-casteljau              | t=0                           | first control point
+bezier-parameter-range                  | t=-0.2                        | negative
+bezier-parameter-range                  | t=1                           | last control point
+bezier-de-casteljau-triangle            | t=1                           | last control point
+bezier-derivative-consequences          | t=0&b=0,0;0,0;1,1;2,0         | b′(t) ≠ 0
+bezier-end-curvature                    | b=0,0;0,0;1,1;2,0             | b₀ ≠ b₁
+bezier-end-curvature                    | b=0,0;1,0;2,0;2,2             | no circle
+bezier-quadratic-parabola               | b=0,0;3,0;1,0                 | to and fro
+bezier-quadratic-parabola               | b=0,0;1,0;2,0                 | segment remains
+bezier-bernstein-approximation          | m=1                           | chord
+bezier-disadvantages                    | c=7,4                         | the same
+bezier-de-casteljau-path-counting       | n=2&k=3                       | at most n
+bezier-de-casteljau-path-counting       | n=3&k=0                       | single path
+bezier-polynomial-curve-smooth          | t=0.5                         | turn sharply
+bezier-centre-of-gravity                | t=1                           | whole mass
+bezier-figure-convex-hull               | b=0,0;1,1;2,2;3,3;1,1         | segment
+bezier-figure-affine-invariance         | m_11=0&m_12=0                 | determinant is 0
+bezier-line-intersections               | p=1,1&q=1,1                   | no line
+bezier-line-intersections               | b=0,0;1,0;2,0;3,0&p=0,0&q=1,0 | not in the line
+bezier-variation-diminishing            | p=1,1&q=1,1                   | no line
+bezier-figure-subdivision               | alpha=0                       | 0 < α < 1
+affine-figure-triangle-area             | R=0,0&P=1,1&Q=2,2             | determinant is 0
+affine-figure-pick                      | P=0,0;1,1;2,2                 | an inside
+affine-barycentric-in-triangle          | A=0,0&B=1,1&C=2,2             | not on a line
+affine-barycentric-in-triangle          | G=9,9                         | negative
+affine-exercise-points-on-line          | A=1,1&B=1,1                   | A ≠ B
+affine-figure-combinations              | a=1,1&b=2,2                   | linearly dependent
+affine-barycentre                       | w_0=0&w_1=0&w_2=0             | another sum
+affine-barycentre                       | w_0=0                         | no part
+affine-map-examples                     | w=1,0                         | no projection
+affine-central-projection-not-affine    | A=1,0                         | no image
+affine-central-projection-not-affine    | A=0,2&B=2,2                   | parallel
+affine-exercise-image-of-points         | A=0,0&B=1,1&C=2,2             | not determined
+affine-map-properties                   | O'=0,0&E_1'=1,1&E_2'=2,2      | areas become 0
+affine-map-properties                   | P=1,1&Q=1,1                   | no ratio
+affine-figure-shear                     | a=0                           | identity
+subdivision-figure-half-edge            | h=15                          | no face
+subdivision-figure-four-point           | w=0                           | middle of its leg
+subdivision-four-point-tension          | w=0                           | middle of its leg
+subdivision-four-point-tension          | w=0.2                         | not C¹
+subdivision-four-point-analysis         | w=0.1                         | two factors
+subdivision-creases                     | top=0                         | No edge is sharp
+subdivision-creases                     | bottom=1&sides=1&top=1        | the cube remains
+subdivision-characteristic-map          | scheme=5&k=9                  | covers itself
+";
+
+/// Figures with points that may all lie in one place, and words of what they say then.
+const IN_ONE_PLACE: &str = "
+bezier-uniform-convergence              | second differences are 0
+bezier-motivation                       | in one place
+bezier-de-casteljau-worked-example      | b′(t) ≠ 0
+bezier-quadratic-parabola               | in one place
+bezier-degree-elevation                 | in one place
+bezier-figure-convex-hull               | this point
+bezier-figure-corner-cutting            | length 0
+bezier-corner-cutting-convergence       | length 0
+affine-barycentric-on-line              | A ≠ B
+subdivision-approximating-interpolating | in one place
+subdivision-figure-chaikin              | in one place
+subdivision-chaikin-convergence         | in one place
+subdivision-figure-lane-riesenfeld      | in one place
+subdivision-cubic-curve                 | in one place
+subdivision-limit-stencils              | in one place
+subdivision-figure-four-point           | in one place
+subdivision-figure-precision            | no line
+";
+
+/// The cells of a table, line by line.
+fn rows<const CELLS: usize>(table: &str) -> Vec<[&str; CELLS]> {
+    let lines = table.trim().lines();
+    let rows = lines.map(|line| {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let row = cells.try_into();
+        row.unwrap_or_else(|cells: Vec<&str>| panic!("{CELLS} cells are needed: {cells:?}"))
+    });
+    rows.collect()
+}
+
+/// In this position the figure says so, and its laws hold.
+fn assert_says(figure: &Figure, text: &str, expected: &str) {
+    let id = figure.id();
+    let plot = plotted(figure, text);
+    let said = plot.remarks().join(" ");
+    assert!(said.contains(expected), "{id} at {text} says: {said}");
+    for reading in plot.readings() {
+        assert!(reading.holds, "{id} at {text}: {reading:?}");
+    }
+}
 
 #[test]
 fn a_degenerate_position_says_what_the_hypothesis_was_for() {
-    for (id, text, expected) in SPECIAL {
-        let figure = gallery::find(id).unwrap_or_else(|| panic!("no figure {id}"));
-        let plot = plotted(&figure, text);
-        let said = plot.remarks().join(" ");
-        assert!(said.contains(expected), "{id} at {text} says: {said}");
-        for reading in plot.readings() {
-            assert!(reading.holds, "{id} at {text}: {reading:?}");
-        }
+    for [id, text, expected] in rows(SPECIAL) {
+        assert_says(&figure(id), text, expected);
+    }
+}
+
+#[test]
+fn points_in_one_place_are_remarked_on() {
+    for [id, expected] in rows(IN_ONE_PLACE) {
+        let figure = figure(id);
+        let mut parameters = figure.parameters().iter();
+        let points = parameters.find_map(|parameter| match &parameter.kind {
+            ParameterKind::Handles { defaults, .. } => Some((&parameter.name, defaults.len())),
+            _ => None,
+        });
+        let (name, count) = points.unwrap_or_else(|| panic!("{id} has no list of points"));
+        let text = format!("{name}={}", vec!["1,1"; count].join(";"));
+        assert_says(&figure, &text, expected);
     }
 }
 
