@@ -8,7 +8,7 @@ use cagd::affine::Point;
 use cagd::law::{Rounding, Sides};
 use cagd::subdivision::{
     Butterfly, CatmullClark, DooSabin, FaceId, HalfEdgeMesh, Kobbelt, Loop, Mesh, Refinement,
-    SurfaceScheme, VertexId,
+    SchemeError, SurfaceScheme, VertexId, laws::Refined,
 };
 use proptest::prelude::*;
 
@@ -17,6 +17,8 @@ use crate::generators::for_all_of;
 use crate::support::mutants::subdivision::invariants as mutants;
 use crate::support::mutants::subdivision::invariants::{Spoiled, Step};
 use crate::support::{Outcome, holds, rejects};
+
+type Place = Point<f64, 3>;
 
 /// A scheme, and what its step must be like.
 struct Scheme {
@@ -84,33 +86,31 @@ const ROUNDINGS: usize = 64;
 fn for_all_schemes<I, S>(
     schemes: impl IntoIterator<Item = Scheme>,
     inputs: impl Fn(&Scheme) -> S,
-    property: impl Fn(&Scheme, &dyn Fn(&Space) -> Result<Space, String>, &I) -> Sides<f64>,
+    property: impl Fn(&Scheme, &dyn Fn(&Space) -> Refined<Place>, &I) -> Sides<f64>,
     mutants: &[(&str, Spoiled)],
 ) where
     S: Strategy<Value = I>,
     I: std::fmt::Debug,
 {
     for scheme in schemes {
-        let judged = |step: &dyn Fn(&Space) -> Result<Space, String>| -> Outcome {
+        let judged = |step: &dyn Fn(&Space) -> Refined<Place>| -> Outcome {
             for_all_of(cases(&scheme), inputs(&scheme), |input| {
                 property(&scheme, step, input)
             })
             .map_err(|violation| format!("{}: {violation}", scheme.name))
         };
-        holds(judged(&|mesh| {
-            (scheme.step)(mesh).map_err(|error| error.to_string())
-        }));
+        holds(judged(&scheme.step));
         for (name, mutant) in mutants {
             rejects(
                 &format!("{}: {name}", scheme.name),
-                judged(&|mesh| mutant(scheme.step, mesh).map_err(|error| error.to_string())),
+                judged(&|mesh| mutant(scheme.step, mesh)),
             );
         }
     }
 }
 
-/// A violation for a step that refuses its mesh: 1 = 0.
-fn refused(sides: Sides<f64>, error: &str) -> Sides<f64> {
+/// The violation of a step that refuses its mesh: 1 = 0.
+fn refused(sides: Sides<f64>, error: &SchemeError) -> Sides<f64> {
     sides.equal(
         format!("the scheme refines the mesh: {error}"),
         [1.0],
@@ -124,7 +124,7 @@ fn shown(mesh: &Space) -> Sides<f64> {
     Sides::new(format!("faces {lists:?}, points {:?}", mesh.points()))
 }
 
-fn coordinates(points: &[Point<f64, 3>]) -> Vec<f64> {
+fn coordinates(points: &[Place]) -> Vec<f64> {
     let all = points.iter().flat_map(|p| [p[0], p[1], p[2]]);
     all.collect()
 }
@@ -134,7 +134,7 @@ fn largest(mesh: &Space) -> f64 {
     all.fold(0.0, |largest: f64, x| largest.max(x.abs()))
 }
 
-/// Σ matrix · p + shift
+/// Takes p to the products of the rows with p, plus the shift.
 #[derive(Debug, Clone, Copy)]
 struct Map {
     rows: [[f64; 3]; 3],
@@ -142,7 +142,7 @@ struct Map {
 }
 
 impl Map {
-    fn apply(&self, p: &Point<f64, 3>) -> Point<f64, 3> {
+    fn apply(&self, p: &Place) -> Place {
         Point::new([0, 1, 2].map(|i: usize| {
             let row = self.rows[i];
             row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + self.shift[i]
@@ -196,7 +196,7 @@ fn planes_stay_planes() {
         schemes(),
         |scheme| ((scheme.meshes)(), slopes()),
         |_, step, (Planted { mesh, .. }, [a, b, c])| {
-            let height = |p: &Point<f64, 3>| a * p[0] + b * p[1] + c;
+            let height = |p: &Place| a * p[0] + b * p[1] + c;
             let flat = mesh.map(|p| Point::new([p[0], p[1], height(p)]));
             let flat = flat.expect("moderate numbers");
             let sides = shown(&flat);
@@ -372,7 +372,7 @@ fn by_name(
     refined: &Space,
     names: &[Name],
     reversed: bool,
-) -> (BTreeMap<Name, Point<f64, 3>>, BTreeSet<Vec<Name>>) {
+) -> (BTreeMap<Name, Place>, BTreeSet<Vec<Name>>) {
     let points = names.iter().copied().zip(refined.points().iter().copied());
     let faces = refined.connectivity().face_lists().into_iter().map(|list| {
         let mut face: Vec<Name> = list.iter().map(|&v| names[v as usize]).collect();
@@ -430,7 +430,7 @@ fn symmetry() {
                 &names(relabelling, &other),
                 relabelling.reversed,
             );
-            let all = |points: &BTreeMap<Name, Point<f64, 3>>| {
+            let all = |points: &BTreeMap<Name, Place>| {
                 coordinates(&points.values().copied().collect::<Vec<_>>())
             };
             sides
