@@ -94,6 +94,7 @@ fn barycentre() {
     holds(law(|masses| library_barycentre(masses).ok()));
     rejects("not divided", law(mutants::not_divided));
     rejects("divided by the count", law(mutants::divided_by_the_count));
+    rejects("weights forgotten", law(mutants::weights_forgotten));
     rejects("signs forgotten", law(mutants::signs_forgotten));
     rejects(
         "a point without weight",

@@ -153,6 +153,10 @@ fn bernstein_symmetry() {
         law(mutants::interval_forgotten),
     );
     rejects("not normalised", law(mutants::not_normalised));
+    rejects(
+        "the binomial coefficient of the next degree",
+        law(|m, i, interval, u| mutants::wrong_binomial(m, i, interval.local(u))),
+    );
 }
 
 /// Checked at twelfths of the interval; place and value are equations.

@@ -62,6 +62,7 @@ fn uniform_degree_zero_one() {
     rejects("no factor 1/2, as printed", law(mutants::without_one_half));
     rejects("always doubled", law(mutants::only_doubled));
     rejects("always midpoints", law(mutants::midpoints_inserted));
+    rejects("in the opposite order", law(mutants::reversed));
 }
 
 #[test]

@@ -107,6 +107,7 @@ fn catmull_clark_properties() {
     };
     holds(law(|mesh| CatmullClark.refine(mesh)));
     rejects("midpoints", law(mutants::midpoints_for_edge_points));
+    rejects("vertices stay", law(mutants::vertices_stay));
     rejects("edges forgotten", law(mutants::edges_forgotten));
 }
 

@@ -80,18 +80,12 @@ fn averaged<P: Affine>(spline: &UniformSpline<P>, rounds: usize) -> UniformSplin
 }
 
 /// Takes sums in the place of means, as the class notes print the rule of degree 1.
-pub fn without_one_half<T: Scalar>(spline: &UniformSpline<T>) -> UniformSpline<T> {
-    let refined = spline.refined();
-    let two = T::from_integer(2);
-    let points = refined.control_points().iter().enumerate();
-    let points = points.map(|(j, point)| {
-        if j % 2 == 1 {
-            point.clone() * two.clone()
-        } else {
-            point.clone()
-        }
-    });
-    with_points(spline, points.collect())
+pub fn without_one_half<P: Affine>(spline: &UniformSpline<P>) -> UniformSpline<P> {
+    let mut points = spline.refined().control_points().to_vec();
+    for point in points.iter_mut().skip(1).step_by(2) {
+        *point = P::from_fn(|k| point.coordinates()[k].clone() * P::Scalar::from_integer(2));
+    }
+    with_points(spline, points)
 }
 
 /// Takes the points in the opposite order.
