@@ -9,7 +9,7 @@ use cagd::workbook::verify::report::Report;
 use cagd::workbook::verify::text::Text;
 use cagd::workbook::verify::{Verified, hidden};
 
-use crate::pack::{NAME, Pack};
+use crate::pack::{NAME, Pack, assert_falls_short};
 
 const TESTS: &str = "use cagd::check::claim;
 
@@ -64,26 +64,16 @@ impl Hidden {
             .unwrap_or_else(|error| panic!("{error}"));
         report
     }
-
-    fn shortcomings(&self) -> Vec<(String, String)> {
-        let shortcomings = self.report().shortcomings.into_iter();
-        shortcomings
-            .map(|shortcoming| {
-                let folder = self.pack.path().display().to_string();
-                assert!(shortcoming.remedy.contains(&folder), "{shortcoming:#?}");
-                (shortcoming.about, shortcoming.found)
-            })
-            .collect()
-    }
 }
 
+#[track_caller]
 fn assert_found(hidden: &Hidden, expected: &[(&str, &str)]) {
-    let found = hidden.shortcomings();
-    let found: Vec<_> = found
-        .iter()
-        .map(|(a, b)| (a.as_str(), b.as_str()))
-        .collect();
-    assert_eq!(found, expected);
+    let report = hidden.report();
+    assert_falls_short(&report, expected);
+    let folder = hidden.pack.path().display().to_string();
+    for shortcoming in &report.shortcomings {
+        assert!(shortcoming.remedy.contains(&folder), "{shortcoming:#?}");
+    }
 }
 
 #[test]
@@ -137,16 +127,22 @@ fn hidden_tests_that_reject_what_is_right() {
     let hidden = Hidden::new(&TESTS.replace("sum(10), 55", "sum(-3), 3"));
     let recursive = "/// 1 + 2 + … + n.\npub fn sum(n: i64) -> i64 {\n    if n < 1 { n.min(0) } else { n + sum(n - 1) }\n}\n";
     hidden.pack.write("alternatives/recursive.rs", recursive);
-    let found = hidden.shortcomings();
-    assert_eq!(
-        found[0],
-        (
-            "alternative recursive".to_owned(),
-            "the hidden test `ten` rejects it".to_owned()
-        )
+    let adds_nothing = ("hidden test ten", "other tests reject all that it rejects");
+    assert_found(
+        &hidden,
+        &[
+            ("alternative recursive", "the hidden test `ten` rejects it"),
+            adds_nothing,
+        ],
     );
     let hidden = Hidden::new(&TESTS.replace("55", "56"));
-    assert_eq!(hidden.shortcomings()[0].0, "solution");
+    assert_found(
+        &hidden,
+        &[
+            ("solution", "the hidden test `ten` rejects it"),
+            adds_nothing,
+        ],
+    );
 }
 
 #[test]

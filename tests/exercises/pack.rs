@@ -177,17 +177,20 @@ impl Pack {
     pub fn report(&self) -> Report {
         self.verify(&self.checker()).report
     }
+}
 
-    /// What falls short: what it is about and what was found.
-    pub fn shortcomings(&self) -> Vec<(String, String)> {
-        let shortcomings = self.report().shortcomings;
-        for shortcoming in &shortcomings {
-            assert!(
-                !shortcoming.remedy.is_empty(),
-                "{shortcoming:?} has no remedy"
-            );
-        }
-        let told = shortcomings.into_iter().map(|s| (s.about, s.found));
-        told.collect()
+/// Asserts that exactly this falls short, what it is about and what was found, and that each has a remedy.
+#[track_caller]
+pub fn assert_falls_short(report: &Report, expected: &[(&str, &str)]) {
+    let found = report.shortcomings.iter();
+    let found: Vec<_> = found
+        .map(|s| (s.about.as_str(), s.found.as_str()))
+        .collect();
+    assert_eq!(found, expected);
+    for shortcoming in &report.shortcomings {
+        assert!(
+            !shortcoming.remedy.is_empty(),
+            "{shortcoming:?} has no remedy"
+        );
     }
 }
