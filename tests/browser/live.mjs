@@ -24,6 +24,7 @@ const check = (holds, message) => {
         failures.push(message);
     }
 };
+
 /** The server on a free port; resolves to its address. */
 async function serve() {
     const server = spawn(workbook, ["--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
@@ -287,9 +288,10 @@ async function everyPage(context, base, label) {
     const wrong = complaints(page, base);
     let [pages, figures] = [0, 0];
     const failing = [];
-    for (const chapter of ["affine", "bezier", "subdivision"]) {
-        for (const name of readdirSync(join(site, chapter)).filter(name => name.endsWith(".html"))) {
-            await page.goto(new URL(`${chapter}/${name}`, base).href);
+    const folders = readdirSync(site, { withFileTypes: true }).filter(entry => entry.isDirectory());
+    for (const { name: folder } of folders) {
+        for (const name of readdirSync(join(site, folder)).filter(name => name.endsWith(".html"))) {
+            await page.goto(new URL(`${folder}/${name}`, base).href);
             const live = await page.locator("figure.drawing[data-part]").evaluateAll(
                 all => [...new Set(all.map(figure => figure.dataset.figure))]);
             for (const id of live) {
