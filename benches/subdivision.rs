@@ -103,6 +103,20 @@ fn ball(scheme: FastScheme, steps: usize) -> Space {
         .clone()
 }
 
+/// How many steps lead from the solid of a [`ball`] to a million faces and more.
+fn steps_to_a_million(scheme: FastScheme) -> usize {
+    match scheme {
+        FastScheme::Loop => 8,
+        FastScheme::CatmullClark => 9,
+    }
+}
+
+/// Refines a mesh, and returns how many points there are then.
+fn refine(refiner: &mut Refiner, mesh: &Space, steps: usize) -> usize {
+    let refined = refiner.refine(black_box(mesh), steps).expect("a mesh");
+    black_box(refined.points().len())
+}
+
 fn name(scheme: FastScheme) -> &'static str {
     match scheme {
         FastScheme::Loop => "Loop",
@@ -160,7 +174,7 @@ fn step(c: &mut Criterion) {
     for scheme in SCHEMES {
         let mut group =
             c.benchmark_group(format!("one step to 1.3 million faces, {}", name(scheme)));
-        let old = ball(scheme, if scheme == FastScheme::Loop { 7 } else { 8 });
+        let old = ball(scheme, steps_to_a_million(scheme) - 1);
         let mut refiner = Refiner::new(scheme);
         let refined = refiner
             .refine(&old, 1)
@@ -187,27 +201,10 @@ fn step(c: &mut Criterion) {
             });
         });
         group.bench_function("refine", |b| {
-            b.iter(|| {
-                black_box(
-                    refiner
-                        .refine(black_box(&old), 1)
-                        .expect("a mesh")
-                        .points()
-                        .len(),
-                )
-            });
+            b.iter(|| refine(&mut refiner, &old, 1));
         });
         group.bench_function("refine, new memory", |b| {
-            b.iter(|| {
-                let mut refiner = Refiner::new(scheme);
-                black_box(
-                    refiner
-                        .refine(black_box(&old), 1)
-                        .expect("a mesh")
-                        .points()
-                        .len(),
-                )
-            });
+            b.iter(|| refine(&mut Refiner::new(scheme), &old, 1));
         });
         let points = old.points().to_vec();
         let lists = old.connectivity().face_lists();
@@ -231,17 +228,14 @@ fn from_lists<F: AsRef<[u32]>>(
     faces: &[F],
 ) -> usize {
     let mesh = Mesh::from_faces(points.to_vec(), black_box(faces)).expect("a mesh");
-    black_box(refiner.refine(&mesh, 1).expect("a mesh").points().len())
+    refine(refiner, &mesh, 1)
 }
 
 /// All steps from a solid, with the memory of the run before; the time counts for each face of the last step.
 fn all_steps(c: &mut Criterion) {
     let mut group = c.benchmark_group("all steps from a solid");
     for scheme in SCHEMES {
-        let (start, steps) = match scheme {
-            FastScheme::Loop => (ball(scheme, 0), 8),
-            FastScheme::CatmullClark => (ball(scheme, 0), 9),
-        };
+        let (start, steps) = (ball(scheme, 0), steps_to_a_million(scheme));
         let mut refiner = Refiner::new(scheme);
         let faces = refiner
             .refine(&start, steps)
@@ -252,15 +246,7 @@ fn all_steps(c: &mut Criterion) {
             .throughput(Throughput::Elements(faces as u64))
             .sample_size(20);
         group.bench_function(BenchmarkId::new(name(scheme), faces), |b| {
-            b.iter(|| {
-                black_box(
-                    refiner
-                        .refine(black_box(&start), steps)
-                        .expect("a mesh")
-                        .points()
-                        .len(),
-                )
-            });
+            b.iter(|| refine(&mut refiner, &start, steps));
         });
     }
     group.finish();
@@ -282,15 +268,7 @@ fn sizes(c: &mut Criterion) {
                 .throughput(Throughput::Elements(faces as u64))
                 .sample_size(10);
             group.bench_function(BenchmarkId::from_parameter(faces), |b| {
-                b.iter(|| {
-                    black_box(
-                        refiner
-                            .refine(black_box(&old), 1)
-                            .expect("a mesh")
-                            .points()
-                            .len(),
-                    )
-                });
+                b.iter(|| refine(&mut refiner, &old, 1));
             });
         }
         group.finish();
@@ -333,7 +311,7 @@ fn stencils(c: &mut Criterion) {
 /// The memory that is in use at once, beside the bytes of the result: at most three times as much.
 fn memory(_: &mut Criterion) {
     for scheme in SCHEMES {
-        let steps = if scheme == FastScheme::Loop { 8 } else { 9 };
+        let steps = steps_to_a_million(scheme);
         let [start, old] = [0, steps - 1].map(|steps| ball(scheme, steps));
         let report = |what: &str, peak: usize, refined: &HalfEdgeMesh| {
             let ratio = peak as f64 / bytes(refined) as f64;
@@ -344,13 +322,14 @@ fn memory(_: &mut Criterion) {
             assert!(ratio <= 3.0, "{what} needs too much memory");
         };
         let lists = old.connectivity().face_lists();
-        let (refined, peak) = Counting::peak(|| {
+        let (refiner, peak) = Counting::peak(|| {
             let mesh = Mesh::from_faces(old.points().to_vec(), &lists).expect("a mesh");
             let mut refiner = Refiner::new(scheme);
-            refiner.refine(&mesh, 1).expect("a mesh");
+            refine(&mut refiner, &mesh, 1);
             refiner
         });
-        let refined = refined.levels()[0].connectivity().clone();
+        let refined = refiner.levels()[0].connectivity().clone();
+        drop(refiner);
         report(
             "one step from lists, the mesh of the lists included",
             peak,
@@ -358,7 +337,7 @@ fn memory(_: &mut Criterion) {
         );
         for (what, mesh, steps) in [("one step", &old, 1), ("all steps", &start, steps)] {
             let mut refiner = Refiner::new(scheme);
-            let (_, peak) = Counting::peak(|| refiner.refine(mesh, steps).map(|_| ()));
+            let (_, peak) = Counting::peak(|| refine(&mut refiner, mesh, steps));
             report(what, peak, &refined);
         }
     }
