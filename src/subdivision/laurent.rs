@@ -231,7 +231,7 @@ fn power<T: Scalar>(mut base: T, mut exponent: u64) -> T {
     let mut power = T::one();
     while exponent > 0 {
         if exponent % 2 == 1 {
-            power = power * base.clone();
+            power *= base.clone();
         }
         exponent /= 2;
         // The last square is not needed, and would be the largest number of all.

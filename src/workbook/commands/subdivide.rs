@@ -10,8 +10,8 @@ use thiserror::Error;
 use crate::affine::Point;
 use crate::subdivision::files::{MeshFile, MeshFileError, Place};
 use crate::subdivision::{
-    Butterfly, CatmullClark, DooSabin, FaceId, Kobbelt, Loop, Mesh, MeshError, Refinement,
-    SchemeError, SurfaceScheme,
+    Butterfly, CatmullClark, DooSabin, FaceId, Kobbelt, Loop, Mesh, Refinement, SchemeError,
+    SurfaceScheme,
 };
 use crate::workbook::command_line::Outcome;
 use crate::workbook::durable;
@@ -348,8 +348,7 @@ impl Subdivide {
     /// A refusal of the mesh that was read, with the place of the element in the file.
     fn no_rule(&self, file: &MeshFile, error: SchemeError) -> SubdivideError {
         let place = match &error {
-            SchemeError::FaceDegree { face, .. }
-            | SchemeError::Mesh(MeshError::FaceDegree { face, .. }) => file.face_place(*face),
+            SchemeError::FaceDegree { face, .. } => file.face_place(*face),
             SchemeError::Valence { vertex, .. } | SchemeError::Boundary { vertex, .. } => {
                 file.vertex_place(*vertex)
             }
