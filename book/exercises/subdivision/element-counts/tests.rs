@@ -17,13 +17,13 @@ fn probes() -> Vec<String> {
 
 fn compare_loop(name: &str, counts: [u64; 3], steps: u32, expected: [u64; 3]) {
     claim("[V, E, F] after steps of Loop's scheme")
-        .input(format!("{name}, [V, E, F] = {counts:?}, {steps} steps"))
+        .input(format!("{name}, [V, E, F] = {counts:?}, steps = {steps}"))
         .equal(answer::loop_counts(counts, steps), expected);
 }
 
 fn compare_catmull_clark(name: &str, counts: [u64; 3], steps: u32, expected: [u64; 3]) {
     claim("[V, E, F] after steps of Catmull–Clark subdivision")
-        .input(format!("{name}, [V, E, F] = {counts:?}, {steps} steps"))
+        .input(format!("{name}, [V, E, F] = {counts:?}, steps = {steps}"))
         .equal(answer::catmull_clark_counts(counts, steps), expected);
 }
 

@@ -33,7 +33,7 @@ fn probes() -> Vec<String> {
 
 fn compare(symbol: &[Q], steps: usize, expected: Q) {
     claim("the norm")
-        .input(format!("coefficients {symbol:?}, {steps} steps"))
+        .input(format!("coefficients {symbol:?}, steps = {steps}"))
         .equal(answer::norm(symbol, steps), expected);
 }
 

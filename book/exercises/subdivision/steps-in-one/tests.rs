@@ -37,7 +37,7 @@ fn refined(mask: &[Q], count: usize) -> Vec<Q> {
 
 fn compare(mask: &[Q], count: usize) {
     claim("the mask of the steps")
-        .input(format!("a = {mask:?}, {count} steps"))
+        .input(format!("a = {mask:?}, steps = {count}"))
         .equal(answer::steps(mask, count), refined(mask, count));
 }
 
