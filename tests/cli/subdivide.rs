@@ -185,6 +185,7 @@ fn vertices_move_to_the_limit() {
             ));
             run.assert_status(0);
             let x = folder.mesh("limit.off").points()[0][0];
+            // Some ten sums of numbers up to 1, each rounded by at most 1.1e-16.
             assert!((x - place).abs() < 1e-15, "{scheme}, {steps} steps: {x}");
         }
     }
